@@ -1,0 +1,52 @@
+// What every contact solver returns, and the contract of its signs:
+//   the normal is a unit vector from body 1 to body 2; overlap = (surface1 - surface2).normal, positive when the bodies
+//   penetrate; moving body 2 along the normal by the overlap parts them, up to second order in the overlap.
+// With r from centre 1 to centre 2, t* = min over x of max(g1, g2) is the common scaling at which the bodies touch: they
+// overlap when t* < 1. Every verdict is proved:
+//   Overlap:  `point` lies inside both bodies (its larger gauge is `upper` < 1);
+//   Apart:    the plane across `normal` separates them (`lower` > 1, a bound of t* from the support functions);
+//   Touching: lower <= 1 <= upper and both within the touching tolerance.
+#pragma once
+
+#include "Types.hpp"
+
+namespace superquadric {
+
+enum class Status { Apart, Touching, Overlap, Uncertified };
+
+struct Contact {
+	Status status = Status::Uncertified;
+	Vector3 point = Vector3::Zero(); // X0 of eq. (2): equally deep in both bodies; world frame [m]
+	Vector3 normal = Vector3::Zero(); // unit, body 1 to body 2; the separating direction when Apart
+	double overlap = 0; // [m]; meaningful only for Overlap and Touching
+	Vector3 surface1 = Vector3::Zero(), surface2 = Vector3::Zero(); // X_i and X_j [m]
+	double curvature1 = 0, curvature2 = 0; // mean curvature there, 0 for a wall [1/m]
+	double lower = 0, upper = 0; // bounds of t*
+
+	Vector3 middle() const { return 0.5 * (surface1 + surface2); }
+	bool overlapping() const { return status == Status::Overlap; }
+	// The same contact with the bodies named the other way round.
+	Contact reversed() const;
+};
+
+// What a solver remembers of a pair from one step to the next. Both vectors are in the frame of body 1, so that they move
+// with it.
+struct WarmStart {
+	enum Kind { None = 0, Point = 1, Direction = 2 };
+	int kind = None;
+	Vector3 value = Vector3::Zero(); // the last point X0 from centre 1 [m], or the last separating direction [-]
+};
+
+// Counts of a solver, for trust: nothing is resolved in silence.
+struct SolverCounters {
+	unsigned long solves = 0; // pairs looked at
+	unsigned long rejectedBySphere = 0, rejectedByDirection = 0, rejectedByBox = 0; // settled without iterating
+	unsigned long coldStarts = 0; // Newton runs without a remembered point
+	unsigned long iterations = 0; // of Newton, in all
+	unsigned long fallbacks = 0; // Newton gave up, the ellipsoid method finished
+	unsigned long uncertified = 0; // must stay 0
+
+	SolverCounters& operator+=(const SolverCounters& other);
+};
+
+} // namespace superquadric

@@ -1,0 +1,197 @@
+#include "Shape.hpp"
+
+#include "Tolerances.hpp"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace superquadric {
+
+namespace {
+
+	void requirePositive(const char* name, double value)
+	{
+		if (std::isfinite(value) && value > 0) return;
+		std::ostringstream message;
+		message << name << " must be finite and positive, got " << value;
+		throw std::invalid_argument(message.str());
+	}
+
+	double requireExponent(const char* name, double value)
+	{
+		if (value >= tolerances::smallestExponent && value <= tolerances::largestExponent) return value;
+		std::ostringstream message;
+		message << name << " must lie within [" << tolerances::smallestExponent << ", " << tolerances::largestExponent << "], got " << value;
+		throw std::invalid_argument(message.str());
+	}
+
+	// (p^m + q^m)^(1/m) for p, q >= 0; the maximum when m is infinite.
+	double norm(double p, double q, double m)
+	{
+		const double large = std::max(p, q), small = std::min(p, q);
+		if (large == 0 || std::isinf(m)) return large;
+		if (m == 2) return std::hypot(p, q);
+		return large * std::pow(1 + std::pow(small / large, m), 1 / m);
+	}
+
+	double dual(double n) { return n / (n - 1); }
+
+	// The farthest point from the centre: with X = x^2 ... the squared distance is linear and eq. (1) a norm with the exponents
+	// n/2, so the maximum is the dual norm, of exponents n/(n-2), of the squared half sizes.
+	double farthestPoint(const Vector3& h, double n1, double n2)
+	{
+		const auto halved = [](double n) { return n == 2 ? std::numeric_limits<double>::infinity() : n / (n - 2); };
+		const double scale = h.maxCoeff();
+		const Vector3 squares = (h / scale).cwiseAbs2();
+		return scale * std::sqrt(norm(norm(squares.x(), squares.y(), halved(n2)), squares.z(), halved(n1)));
+	}
+
+} // namespace
+
+Shape::Shape(const Vector3& halfSizes, double n1, double n2)
+        : halfSizes_(halfSizes)
+        , n1_(requireExponent("n1", n1))
+        , n2_(requireExponent("n2", n2))
+{
+	const char* names[] = { "extents[0]", "extents[1]", "extents[2]" };
+	for (int axis = 0; axis < 3; ++axis)
+		requirePositive(names[axis], halfSizes[axis]);
+	inverse_        = halfSizes.cwiseInverse();
+	smallest_       = halfSizes.minCoeff();
+	boundingRadius_ = farthestPoint(halfSizes, n1, n2);
+}
+
+// The gauge as two nested norms, s = |(x/a, y/b)|_n2 and g = |(s, z/c)|_n1, with the ratios its derivatives are made of.
+// They lie in [0, 1], so that no power of them overflows.
+struct Shape::Ratios {
+	double gauge;
+	double sByG, zByG, xByS, yByS; // s/g, |z/c|/g, |x/a|/s, |y/b|/s
+	double sByGPower, zByGPower, xBySPower, yBySPower; // the same to the power n - 2
+	Vector3 signs;
+};
+
+Shape::Ratios Shape::ratiosAt(const Vector3& x) const
+{
+	const Vector3 u = x.cwiseProduct(inverse_).cwiseAbs();
+	const double s = n2_.norm(u.x(), u.y());
+	Ratios r;
+	r.gauge = n1_.norm(s, u.z());
+	r.sByG = s / r.gauge;
+	r.zByG = u.z() / r.gauge;
+	// On the z axis any split between x and y gives the same first derivative, zero; the even one is taken.
+	const double even = s > 0 ? 0 : 1 / n2_.root(2.0);
+	r.xByS = s > 0 ? u.x() / s : even;
+	r.yByS = s > 0 ? u.y() / s : even;
+	r.sByGPower = n1_.powerLessTwo(r.sByG);
+	r.zByGPower = n1_.powerLessTwo(r.zByG);
+	r.xBySPower = n2_.powerLessTwo(r.xByS);
+	r.yBySPower = n2_.powerLessTwo(r.yByS);
+	for (int axis = 0; axis < 3; ++axis)
+		r.signs[axis] = std::copysign(inverse_[axis], x[axis]);
+	return r;
+}
+
+Vector3 Shape::gradientOf(const Ratios& r) const
+{
+	const double bySide = r.sByGPower * r.sByG;
+	return { r.signs.x() * bySide * r.xBySPower * r.xByS,
+		     r.signs.y() * bySide * r.yBySPower * r.yByS,
+		     r.signs.z() * r.zByGPower * r.zByG };
+}
+
+double Shape::gauge(const Vector3& x) const
+{
+	const Vector3 u = x.cwiseProduct(inverse_).cwiseAbs();
+	return n1_.norm(n2_.norm(u.x(), u.y()), u.z());
+}
+
+GaugeValue Shape::gaugeWithGradient(const Vector3& x) const
+{
+	GaugeValue result;
+	if (x.isZero(0)) {
+		result.value = 0;
+		result.gradient.setZero();
+		return result;
+	}
+	const Ratios r = ratiosAt(x);
+	result.value = r.gauge;
+	result.gradient = gradientOf(r);
+	return result;
+}
+
+GaugeValue Shape::gaugeWithHessian(const Vector3& x) const
+{
+	GaugeValue result;
+	if (x.isZero(0)) {
+		result.value = 0;
+		result.gradient.setZero();
+		result.hessian.setZero();
+		return result;
+	}
+	const Ratios r = ratiosAt(x);
+	result.value = r.gauge;
+	result.gradient = gradientOf(r);
+
+	// Second derivatives of g(s, z): (n1 - 1)/g times the curvature of the outer norm; of s(x, y) likewise. The factor 1/s of
+	// the inner one cancels against dg/ds, which keeps it finite on the z axis.
+	const double outer = (n1() - 1) / r.gauge, inner = (n2() - 1) / r.gauge;
+	const double sx = r.xBySPower * r.xByS, sy = r.yBySPower * r.yByS;
+	const double gss = outer * r.sByGPower * r.zByGPower * r.zByG * r.zByG;
+	const double gsz = -outer * r.sByGPower * r.sByG * r.zByGPower * r.zByG;
+	const double gzz = outer * r.zByGPower * r.sByGPower * r.sByG * r.sByG;
+	const double innerScale = inner * r.sByGPower * r.xBySPower * r.yBySPower;
+
+	Matrix3& H = result.hessian;
+	H(0, 0) = gss * sx * sx + innerScale * r.yByS * r.yByS;
+	H(1, 1) = gss * sy * sy + innerScale * r.xByS * r.xByS;
+	H(0, 1) = gss * sx * sy - innerScale * r.xByS * r.yByS;
+	H(0, 2) = gsz * sx;
+	H(1, 2) = gsz * sy;
+	H(2, 2) = gzz;
+	H(1, 0) = H(0, 1);
+	H(2, 0) = H(0, 2);
+	H(2, 1) = H(1, 2);
+	H.array() *= (r.signs * r.signs.transpose()).array();
+	return result;
+}
+
+double Shape::function(const Vector3& x) const { return n1_.power(gauge(x)); }
+
+Vector3 Shape::functionGradient(const Vector3& x) const
+{
+	const GaugeValue g = gaugeWithGradient(x);
+	return n1() * n1_.powerLessTwo(g.value) * g.value * g.gradient;
+}
+
+Matrix3 Shape::functionHessian(const Vector3& x) const
+{
+	const GaugeValue g = gaugeWithHessian(x);
+	const double power = n1() * n1_.powerLessTwo(g.value);
+	return power * ((n1() - 1) * g.gradient * g.gradient.transpose() + g.value * g.hessian);
+}
+
+double Shape::support(const Vector3& direction) const
+{
+	const Vector3 p = direction.cwiseProduct(halfSizes_).cwiseAbs();
+	return norm(norm(p.x(), p.y(), dual(n2())), p.z(), dual(n1()));
+}
+
+Vector3 Shape::supportPoint(const Vector3& direction) const
+{
+	const Vector3 p = direction.cwiseProduct(halfSizes_).cwiseAbs();
+	const double t = norm(p.x(), p.y(), dual(n2()));
+	const double h = norm(t, p.z(), dual(n1()));
+	if (h == 0) throw std::invalid_argument("direction must not be zero");
+	// The gradient of the dual norm, whose powers are 1/(n - 1).
+	const double side = std::pow(t / h, 1 / (n1() - 1));
+	const auto inner = [&](double part) { return t > 0 ? std::pow(part / t, 1 / (n2() - 1)) : 0.0; };
+	const Vector3 size(side * inner(p.x()), side * inner(p.y()), std::pow(p.z() / h, 1 / (n1() - 1)));
+	Vector3 result;
+	for (int axis = 0; axis < 3; ++axis)
+		result[axis] = std::copysign(size[axis] * halfSizes_[axis], direction[axis]);
+	return result;
+}
+
+} // namespace superquadric

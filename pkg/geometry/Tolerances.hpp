@@ -1,0 +1,62 @@
+// Every tolerance of the geometry, each with what it means physically. All are dimensionless, so that verdicts do not
+// depend on whether the grains are micrometres or metres.
+#pragma once
+
+namespace superquadric::tolerances {
+
+// Supported exponents. Below 2 the curvature is infinite on the coordinate planes; above 20 the radius of an edge
+// is under 5 % of the half size, where a smooth contact law has no meaning left.
+constexpr double smallestExponent = 2.0;
+constexpr double largestExponent = 20.0;
+
+// Two gauges count as equal: the contact point lies this far (relative to the body) from the surface of equal scaling.
+constexpr double gaugeBalance = 1e-13;
+
+// The two outward normals count as antiparallel [rad].
+constexpr double normalAngle = 1e-10;
+
+// A Newton step shorter than this part of the smaller body cannot be told from rounding.
+constexpr double stepRounding = 1e-15;
+
+// Scalings within this of 1 are reported as touching: neither an inner point nor a separating direction can be told
+// from rounding.
+constexpr double touching = 1e-11;
+
+// Longest Newton step, in smallest half sizes: beyond it the quadratic model of a rounded edge is worthless.
+constexpr double longestStep = 0.3;
+
+// Iteration limits. Newton needs 1-3 warm and 5-8 cold; the rest goes to the fallback, whose limit is what shrinking
+// an ellipsoid of a grain's size to the touching tolerance takes at its proven rate, with a margin.
+constexpr int newtonIterations = 60;
+constexpr int fallbackIterations = 2500;
+
+// Regularisation of the tangential Newton system, relative to the squared gauge gradients: the first only keeps the division
+// defined where two flat faces make the system singular; a refused step starts at the second and grows until the third.
+constexpr double smallestRegularisation = 1e-14;
+constexpr double firstRegularisation = 1e-4;
+constexpr double largestRegularisation = 1e8;
+
+// Rounding of a gauge near 1: an increase below it does not count against a Newton step.
+constexpr double gaugeRounding = 1e-14;
+
+// The fallback stops when the bounds of the common scaling are this close.
+constexpr double fallbackGap = 1e-12;
+
+// Edges of two boxes closer to parallel than this give a separating axis made of rounding; the face axes then decide.
+constexpr double parallelEdges = 1e-12;
+
+// The surface search along the normal is done when its step is this part of the smallest half size.
+constexpr double surfaceStep = 1e-15;
+constexpr int surfaceIterations = 60;
+
+// The minimum of the gauge on a triangle's edge is found to this part of the edge.
+constexpr double edgeStep = 1e-15;
+constexpr int edgeIterations = 200;
+
+// No point of a body lies farther out from a hollow cylinder's axis than the one reported, by more than this part of the body's
+// bounding radius. The bound improves fourfold with each bisection of the angle; a flat side along the wall needs the most.
+constexpr double wallGap = 1e-10;
+constexpr int wallBisections = 1000;
+constexpr int wallAscents = 100;
+
+} // namespace superquadric::tolerances

@@ -1,0 +1,12 @@
+// Vector types of the mathematics, the same memory layout as YADE's Vector3r and Matrix3r.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace superquadric {
+
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+
+} // namespace superquadric
