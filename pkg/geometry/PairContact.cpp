@@ -8,6 +8,7 @@
 #include "Tolerances.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace superquadric {
 
@@ -79,13 +80,20 @@ namespace {
 			warm_.value = problem_.body1().toBody(contact_.normal);
 		}
 
+		// What a step must lower, one of two: the scaling, or the scaling with a balance of unlike bodies.
+		struct Merits {
+			double upper, balanced;
+		};
+		static Merits meritsOf(const PairPoint& point) { return { point.upper(), point.balancedScaling() }; }
+
 		// True when it ended with a verdict, kept in contact_.
 		bool newton(const Vector3& start)
 		{
 			PairPoint point = problem_.at(start);
-			// The largest of the last three scalings: eq. (3) balances the gauges to second order only, so a good step may raise
-			// the scaling a little.
-			double recent[3] = { point.upper(), point.upper(), point.upper() };
+			// A step is compared with the worst of the last three: eq. (3) balances the gauges to second order only, so a good step may
+			// raise the scaling a little.
+			std::array<Merits, 3> recent;
+			recent.fill(meritsOf(point));
 			double regularisation = 0;
 			for (int i = 0; i < tolerances::newtonIterations; ++i) {
 				if (!(point.slope > 0)) return false;
@@ -93,9 +101,10 @@ namespace {
 				if (problem_.converged(point)) return accept(point);
 				++counters_.iterations;
 				const PairPoint next = problem_.at(point.x + problem_.newtonStep(point, regularisation));
-				if (next.upper() <= *std::max_element(recent, recent + 3) + tolerances::gaugeRounding) {
+				const Merits merits = meritsOf(next);
+				if (noWorse(merits, recent)) {
 					point = next;
-					recent[i % 3] = point.upper();
+					recent[i % 3] = merits;
 					regularisation = regularisation > tolerances::firstRegularisation ? regularisation / 10 : 0;
 				} else {
 					regularisation = std::max(10 * regularisation, tolerances::firstRegularisation);
@@ -103,6 +112,14 @@ namespace {
 				}
 			}
 			return false;
+		}
+
+		static bool noWorse(const Merits& merits, const std::array<Merits, 3>& recent)
+		{
+			Merits worst = recent[0];
+			for (const Merits& m : recent)
+				worst = { std::max(worst.upper, m.upper), std::max(worst.balanced, m.balanced) };
+			return merits.upper <= worst.upper + tolerances::gaugeRounding || merits.balanced <= worst.balanced + tolerances::gaugeRounding;
 		}
 
 		Contact fallback()

@@ -2,8 +2,6 @@
 
 #include "Tolerances.hpp"
 
-#include <algorithm>
-
 namespace superquadric {
 
 PairProblem::PairProblem(const Placement& body1, const Placement& body2)
@@ -51,7 +49,7 @@ bool PairProblem::converged(const PairPoint& point) const
 // system of the weighted Hessians, which is positive semidefinite because the gauges are convex.
 Vector3 PairProblem::newtonStep(const PairPoint& from, double regularisation) const
 {
-	const double weight = std::clamp(from.gauge1.gradient.dot(from.axis) / from.slope, 0.0, 1.0);
+	const double weight = from.weight();
 	const Matrix3 H = (1 - weight) * from.gauge1.hessian + weight * from.gauge2.hessian;
 	const Vector3 balance = (from.gauge2.value - from.gauge1.value) / from.slope * from.axis;
 

@@ -5,6 +5,8 @@
 
 #include "Placement.hpp"
 
+#include <algorithm>
+
 namespace superquadric {
 
 // Everything the solvers need at one trial point.
@@ -16,6 +18,15 @@ struct PairPoint {
 	Vector3 skew; // part of either gradient across the axis [1/m]; zero at the solution
 
 	double upper() const { return std::max(gauge1.value, gauge2.value); }
+	// Weight of body 2 in the combination of the gradients that vanishes at the solution; body 1 has the rest.
+	double weight() const { return slope > 0 ? std::clamp(gauge1.gradient.dot(axis) / slope, 0.0, 1.0) : 0.5; }
+	// The scaling with the imbalance of the gauges counted by the smaller weight: of unlike bodies the small one's gauge changes fast
+	// along a step while its weight is small, and upper() alone would allow only tiny steps.
+	double balancedScaling() const
+	{
+		const double w = weight();
+		return (1 - w) * gauge1.value + w * gauge2.value + std::min(w, 1 - w) * std::abs(gauge1.value - gauge2.value);
+	}
 	// Sine of the larger angle between a normal and the axis.
 	double misalignment() const { return skew.norm() / std::sqrt(std::min(gauge1.gradient.squaredNorm(), gauge2.gradient.squaredNorm())); }
 };
