@@ -21,7 +21,7 @@ struct Contact {
 	double overlap = 0; // [m]; meaningful only for Overlap and Touching
 	Vector3 surface1 = Vector3::Zero(), surface2 = Vector3::Zero(); // X_i and X_j [m]
 	double curvature1 = 0, curvature2 = 0; // mean curvature there, 0 for a wall [1/m]
-	double lower = 0, upper = 0; // bounds of t*
+	double lower = 0, upper = 0; // bounds of t*; lower stays 0 where an overlap needs none
 
 	Vector3 middle() const { return 0.5 * (surface1 + surface2); }
 	bool overlapping() const { return status == Status::Overlap; }

@@ -33,7 +33,7 @@ double stiffnessRatio(double young1, double poisson1, double young2, double pois
 	return effectiveModulus(young1, poisson1, young2, poisson2) * shearCompliance / 4;
 }
 
-double effectiveMass(double mass1, double mass2)
+double reduced(double mass1, double mass2)
 {
 	const double inverse = 1 / mass1 + 1 / mass2;
 	return inverse > 0 ? 1 / inverse : 0;

@@ -14,9 +14,9 @@ double effectiveModulus(double young1, double poisson1, double young2, double po
 // materials it is the factor (2 - nu)/(2(1 - nu)) of the paper's dtmax in (11).
 double stiffnessRatio(double young1, double poisson1, double young2, double poisson2);
 
-// m* of (8) [kg]; a body that cannot move has an infinite mass, so that m* is the mass of the other. Zero when neither can
-// move: motion is then prescribed and there is no mass to damp.
-double effectiveMass(double mass1, double mass2);
+// m* of (8) from two masses, or the same of two moments of inertia. A body that cannot move has an infinite one, so that the
+// result is that of the other. Zero when neither can move: the motion is then prescribed and there is nothing to damp.
+double reduced(double mass1, double mass2);
 
 // One side of a contact as far as its local radius is concerned. A wall has zeros.
 struct Side {

@@ -137,13 +137,14 @@ namespace {
 		// An overlap is proved by the point; what is within rounding of contact is called touching.
 		bool accept(const PairPoint& point, double lower = 0)
 		{
-			contact_.lower = std::max(lower, problem_.lowerBound(point.axis));
 			contact_.upper = point.upper();
-			if (point.upper() < 1)
-				contact_.status = Status::Overlap;
-			else
-				contact_.status = point.upper() - 1 <= tolerances::touching && 1 - contact_.lower <= tolerances::touching ? Status::Touching
-				                                                                                                          : Status::Uncertified;
+			contact_.lower = lower;
+			contact_.status = Status::Overlap;
+			if (point.upper() >= 1) {
+				contact_.lower = std::max(lower, problem_.lowerBound(point.axis));
+				const bool close = point.upper() - 1 <= tolerances::touching && 1 - contact_.lower <= tolerances::touching;
+				contact_.status = close ? Status::Touching : Status::Uncertified;
+			}
 			describe(point);
 			return contact_.status != Status::Uncertified;
 		}
@@ -151,8 +152,8 @@ namespace {
 		// Normal, surface points along it, overlap and curvatures: the text below eq. (3).
 		void describe(const PairPoint& point)
 		{
-			const double alpha = distanceToSurface(problem_.body1(), point.x - problem_.centre1(), point.axis);
-			const double beta = -distanceToSurface(problem_.body2(), point.x - problem_.centre2(), -point.axis);
+			const double alpha = distanceToSurface(problem_.body1(), point.x - problem_.centre1(), point.axis, point.gauge1);
+			const double beta = -distanceToSurface(problem_.body2(), point.x - problem_.centre2(), -point.axis, point.gauge2);
 			contact_.point = problem_.body1().position + (point.x - problem_.centre1());
 			contact_.normal = point.axis;
 			contact_.overlap = alpha - beta;

@@ -45,8 +45,9 @@ constexpr double fallbackGap = 1e-12;
 // Edges of two boxes closer to parallel than this give a separating axis made of rounding; the face axes then decide.
 constexpr double parallelEdges = 1e-12;
 
-// The surface search along the normal is done when its step is this part of the smallest half size.
-constexpr double surfaceStep = 1e-15;
+// The surface search along the normal is done after a step of this part of the smallest half size: the next one, by quadratic
+// convergence, would be its square.
+constexpr double surfaceStep = 3e-9;
 constexpr int surfaceIterations = 60;
 
 // The minimum of the gauge on a triangle's edge is found to this part of the edge.
