@@ -1,0 +1,27 @@
+"""Granular materials of superquadric particles in YADE: bodies, containers, engines, and the impact study on top.
+
+    from yade import superquadric as sq
+    O.bodies.append(sq.superquadric((0, 0, 0.1), (5e-3, 5e-3, 5e-3), n1=8, n2=8, material=material))
+    O.engines = sq.superquadricEngines()
+    O.dt = 0.1 * sq.criticalTimeStep()
+
+SI units everywhere; z points up.
+"""
+from .bedgeometry import measureBed
+from .bodies import ParticleShape, equalVolumeExtents, particleShape, superquadric
+from .container import Container, boxContainer, cylinderContainer, setHeight
+from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadricEngines
+from .filling import particleNumber, rainFilling, randomOrientation
+from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
+from .run import ImpactRun
+from .settling import RestCriterion, scaleStiffness, settle, stiffen
+from .snapshot import Snapshot
+from .stepping import Interrupted, Stepper
+from .version import __version__
+
+__all__ = [
+    'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper',
+    'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
+    'equalVolumeExtents', 'measureBed', 'particleNumber', 'particleShape', 'pulse', 'rainFilling', 'randomOrientation',
+    'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
+    'superquadricEngines', '__version__']

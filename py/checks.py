@@ -1,0 +1,77 @@
+"""Checks of what a user hands over: every function returns the accepted value or raises a ValueError that names
+the parameter and the value. They are called before anything is changed."""
+import math
+
+
+def finite(name, value):
+    """`value` as a finite float."""
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise ValueError(f'{name} = {value!r}: must be a number') from None
+    if not math.isfinite(number):
+        raise ValueError(f'{name} = {value!r}: must be finite')
+    return number
+
+
+def positive(name, value):
+    """`value` as a float above 0."""
+    number = finite(name, value)
+    if number <= 0:
+        raise ValueError(f'{name} = {value!r}: must be positive')
+    return number
+
+
+def notNegative(name, value):
+    """`value` as a float of at least 0."""
+    number = finite(name, value)
+    if number < 0:
+        raise ValueError(f'{name} = {value!r}: must not be negative')
+    return number
+
+
+def within(name, value, low, high, highIncluded=True):
+    """`value` as a float in [low, high], or in [low, high) without `highIncluded`."""
+    number = finite(name, value)
+    if not (low <= number < high or (highIncluded and number == high)):
+        raise ValueError(f'{name} = {value!r}: must lie in [{low}, {high}{"]" if highIncluded else ")"}')
+    return number
+
+
+def above(name, value, low, high):
+    """`value` as a float in the open interval (low, high)."""
+    number = finite(name, value)
+    if not low < number < high:
+        raise ValueError(f'{name} = {value!r}: must lie between {low} and {high}')
+    return number
+
+
+def wholeNumber(name, value, least):
+    """`value` as an int of at least `least`."""
+    number = finite(name, value)
+    if number != int(number) or number < least:
+        raise ValueError(f'{name} = {value!r}: must be a whole number of at least {least}')
+    return int(number)
+
+
+def oneOf(name, value, choices):
+    """`value` if it is among `choices`."""
+    if value not in choices:
+        raise ValueError(f'{name} = {value!r}: must be one of {", ".join(map(str, choices))}')
+    return value
+
+
+def extents(name, value):
+    """Three positive half sizes [m] as a tuple of floats."""
+    try:
+        sizes = tuple(value)
+    except TypeError:
+        sizes = ()
+    if len(sizes) != 3:
+        raise ValueError(f'{name} = {value!r}: three half sizes (a, b, c) are needed')
+    return tuple(positive(f'{name}[{i}]', size) for i, size in enumerate(sizes))
+
+
+def exponent(name, value):
+    """A superquadric's exponent, in [2, 20]."""
+    return within(name, value, 2, 20)

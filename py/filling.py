@@ -1,0 +1,138 @@
+"""Rain filling: particles of random orientation, laid out without overlap above the base, then left to fall."""
+import math
+import random
+
+from yade import O
+from yade.minieigenHP import Quaternion, Vector3
+
+from . import checks, container as containers
+
+GAP = 0.08          # clear distance between the particles' bounding spheres at the start, over their diameter
+SOLID_FRACTION = 0.58  # of a poured bed with friction 0.4: first estimate, the settled bed is measured afterwards
+DENSEST = 0.74      # no poured bed comes near it; a container asked to hold more is overfull without doubt
+
+
+def randomOrientation(rng):
+    """A rotation drawn uniformly from all rotations (Shoemake 1992). `rng`: random.Random."""
+    u1, u2, u3 = rng.random(), 2 * math.pi * rng.random(), 2 * math.pi * rng.random()
+    s, t = math.sqrt(1 - u1), math.sqrt(u1)
+    return Quaternion(t * math.cos(u3), s * math.sin(u2), s * math.cos(u2), t * math.sin(u3))
+
+
+def particleNumber(thickness, shape, container, solidFraction=SOLID_FRACTION):
+    """How many particles make a bed of `thickness` [m]: solidFraction * area * thickness / particle volume.
+
+    :param shape: `ParticleShape`; :param container: `Container`
+    :param solidFraction: expected solid volume over bed volume, in (0, 1)
+    """
+    thickness = checks.positive('thickness', thickness)
+    solidFraction = checks.above('solidFraction', solidFraction, 0, 1)
+    return max(1, round(solidFraction * containers.crossSection(container) * thickness / shape.volume))
+
+
+def checkCapacity(shapes, container, solidFraction=SOLID_FRACTION):
+    """ValueError if the particles, packed to `solidFraction`, need more than the container's volume."""
+    needed = sum(shape.volume for shape in shapes) / solidFraction
+    available = containers.crossSection(container) * container.height
+    if needed > available:
+        raise ValueError(f'number of particles = {len(shapes)}: overfull container; poured to a solid fraction of '
+                         f'{solidFraction:g} they need {needed:.4g} m3, it holds {available:.4g} m3')
+
+
+def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLID_FRACTION):
+    """Put one body per entry of `shapes` into the container, without overlap, moving down.
+
+    The centres lie in horizontal layers on triangular grids, each turned and shifted at random, and every centre is
+    jittered by no more than leaves the bounding spheres apart. The layers may reach above the rim:
+    the container is then made higher, `containers.setHeight` restores it once the bed has settled.
+
+    :param shapes: list of `ParticleShape`, one per particle
+    :param container: `Container`
+    :param material: the particles' material
+    :param seed: the same seed gives the same bodies, bit for bit
+    :param speed: initial downward speed [m/s]
+    :param solidFraction: of the settled bed, for the check that it fits
+    :returns: (ids of the particles, the container with its present height)
+    :raises ValueError: before any body is added
+    """
+    shapes = list(shapes)
+    if not shapes:
+        raise ValueError('shapes = []: at least one particle is needed')
+    seed, speed = checks.wholeNumber('seed', seed, 0), checks.notNegative('speed', speed)
+    checkCapacity(shapes, container, checks.above('solidFraction', solidFraction, 0, DENSEST))
+    rng = random.Random(seed)
+    radius = max(shape.boundingRadius for shape in set(shapes))
+    containers.checkFits(container, radius)
+    centers = _centers(len(shapes), radius, container, rng)
+    bodies = [_falling(shape, center, material, speed, rng) for shape, center in zip(shapes, centers)]
+    top = max(center[2] for center in centers) + radius
+    return O.bodies.append(bodies), containers.setHeight(container, max(container.height, top))
+
+
+def _falling(shape, center, material, speed, rng):
+    shade = 0.55 + 0.25 * rng.random()
+    body = shape.body(Vector3(*center), randomOrientation(rng), material, color=(shade, 0.8 * shade, 0.5 * shade))
+    body.state.vel = Vector3(0, 0, -speed)
+    return body
+
+
+def _centers(number, radius, container, rng):
+    """`number` points [m] above the base, farther than 2 `radius` from each other and `radius` from the walls."""
+    jitter = min(GAP * radius, _halfWidth(container) - radius)
+    spacing, margin = 2 * (radius + jitter), radius + jitter
+    centers, z = [], margin
+    while len(centers) < number:
+        layer = _layer(spacing, margin, container, rng)
+        rng.shuffle(layer)
+        for x, y in layer[:number - len(centers)]:
+            dx, dy, dz = _inBall(jitter, rng)
+            centers.append((x + dx, y + dy, z + dz))
+        z += spacing
+    return centers
+
+
+def _layer(spacing, margin, container, rng):
+    """Points of a triangular grid, turned at random, at least `margin` [m] inside the container's side walls.
+    The grid has one of its points at a random place inside, so that no layer is empty."""
+    angle = 2 * math.pi * rng.random()
+    cosine, sine = math.cos(angle), math.sin(angle)
+    x0, y0 = _randomPlace(margin, container, rng)
+    reach = math.ceil(4 * _outerWidth(container) / spacing)
+    points = []
+    for i in range(-reach, reach + 1):
+        for j in range(-reach, reach + 1):
+            u, v = spacing * (i + 0.5 * j), spacing * math.sqrt(0.75) * j
+            x, y = x0 + cosine * u - sine * v, y0 + sine * u + cosine * v
+            if (i == 0 and j == 0) or _inside(x, y, margin, container):
+                points.append((x, y))
+    return points
+
+
+def _inside(x, y, margin, container):
+    if container.radius is not None:
+        return math.hypot(x, y) <= container.radius - margin
+    return abs(x) <= container.width / 2 - margin and abs(y) <= container.depth / 2 - margin
+
+
+def _randomPlace(margin, container, rng):
+    if container.radius is not None:
+        distance = (container.radius - margin) * math.sqrt(rng.random())
+        angle = 2 * math.pi * rng.random()
+        return distance * math.cos(angle), distance * math.sin(angle)
+    return tuple((size / 2 - margin) * (2 * rng.random() - 1) for size in (container.width, container.depth))
+
+
+def _halfWidth(container):
+    return container.radius if container.radius is not None else min(container.width, container.depth) / 2
+
+
+def _outerWidth(container):
+    return container.radius if container.radius is not None else math.hypot(container.width, container.depth) / 2
+
+
+def _inBall(radius, rng):
+    """A vector drawn uniformly from the ball."""
+    while True:
+        point = [radius * (2 * rng.random() - 1) for _ in range(3)]
+        if sum(x * x for x in point) <= radius * radius:
+            return point

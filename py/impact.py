@@ -1,0 +1,169 @@
+"""The impact: a sphere falls on the bed, the force on the base is recorded, and its pulse is measured."""
+import math
+from collections import namedtuple
+
+from yade import O, utils
+from yade.minieigenHP import Vector3
+from yade.wrapper import CurvatureMat
+
+from . import checks
+from .container import Container
+from .engines import criticalTimeStep, superquadricEngines
+from .stepping import Stepper
+
+CALIBRATED_DENSITY = 3003.0  # kg/m3: with it an impact on the bare base at 5.558 m/s peaks at the paper's P0 = 4.67 kN
+CLEARANCE = 5e-4             # m between impactor and the highest particle at the start
+PULSE_THRESHOLD = 0.1        # of the peak: the pulse lasts as long as the force is above
+QUIET_THRESHOLD = 0.05       # of the peak: the impact is over when the force has stayed below
+QUIET_TIME = 4e-3            # s for which it must have stayed below
+
+Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse')
+Pulse.__doc__ = """A pulse of the force on the base, what it bore before taken off.
+
+peak [N] at peakTime [s]; start, end [s]: first and last moment above PULSE_THRESHOLD of the peak;
+duration = end - start [s]; impulse [N s] between the two. Times count from the start of the record.
+"""
+
+
+BareImpact = namedtuple('BareImpact', 'pulse times forces')
+BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the base [N] at the times [s]."""
+
+
+def surfaceSpeed(speed, height, gravity=9.81):
+    """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it."""
+    return math.sqrt(checks.notNegative('speed', speed) ** 2 + 2 * gravity * checks.notNegative('height', height))
+
+
+def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81):
+    """Put the impactor, a YADE sphere, into the scene on the z axis, on its way down.
+
+    It has `speed` [m/s] at `dropHeight` [m] above the `surface` [m]. The free fall is not simulated: the sphere
+    starts just above the highest obstacle below it, with the speed that it has there.
+
+    :param diameter: [m]; :param density: [kg/m3]
+    :param material: `CurvatureMat` in O.materials whose other parameters it takes
+    :param obstacles: ids of the particles; only those beneath the sphere count
+    :returns: its id
+    """
+    radius = checks.positive('impactor diameter', diameter) / 2
+    own = CurvatureMat(**{**material.dict(), 'id': -1, 'label': '', 'density': checks.positive('impactor density', density)})
+    O.materials.append(own)
+    bottom = max([surface] + [top for top in map(_topBeneath(radius), obstacles) if top is not None]) + CLEARANCE
+    fallen = checks.notNegative('dropHeight', dropHeight) + surface - bottom
+    body = utils.sphere((0, 0, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
+    body.state.vel = Vector3(0, 0, -math.sqrt(checks.notNegative('speed', speed) ** 2 + 2 * gravity * fallen))
+    return O.bodies.append(body)
+
+
+def _topBeneath(radius):
+    """Function that gives the upper end [m] of a particle's bounding sphere, None if it is out of the way."""
+    def top(bodyId):
+        body = O.bodies[bodyId]
+        reach = getattr(body.shape, 'radius', None) or body.shape.boundingRadius()
+        x, y, z = body.state.pos
+        return z + reach if math.hypot(x, y) < radius + reach else None
+    return top
+
+
+def supportForce(ids):
+    """Vertical force of the particles on the bodies `ids` in the last step, down positive [N]."""
+    return -sum(O.forces.f(i)[2] for i in ids)
+
+
+class Recorder:
+    """Time series of an impact; `sample` goes after every step (as `afterStep` of `Stepper.run`).
+
+    Columns: time [s] from the start of the record; baseForce, wallForce: vertical force of the particles on base and side
+    walls, down positive [N]; impactorForce: vertical contact force on the impactor, up positive [N]; impactorHeight: its
+    lowest point above the base [m]; impactorVelocity: up positive [m/s]. Forces and height belong to the same
+    moment, the velocity to half a time step later (YADE integrates by leap-frog).
+    """
+
+    COLUMNS = ('time', 'baseForce', 'wallForce', 'impactorForce', 'impactorHeight', 'impactorVelocity')
+
+    def __init__(self, container, impactorId, startTime=None, rows=()):
+        self.container, self.impactorId = container, impactorId
+        self.startTime = O.time if startTime is None else startTime
+        self.rows = [tuple(row) for row in rows]
+
+    def sample(self):
+        impactor = O.bodies[self.impactorId]
+        height = impactor.state.pos[2] - impactor.state.vel[2] * O.dt - impactor.shape.radius
+        self.rows.append((O.time - O.dt - self.startTime, supportForce([self.container.baseId]),
+                          supportForce(self.container.sideIds), -supportForce([self.impactorId]), height,
+                          impactor.state.vel[2]))
+
+    def column(self, name):
+        index = self.COLUMNS.index(name)
+        return [row[index] for row in self.rows]
+
+
+def pulse(times, forces, staticForce):
+    """Measure the pulse in a record of `forces` [N] at `times` [s]; `staticForce` [N] is taken off first.
+
+    :raises ValueError: an empty record
+    """
+    if not times:
+        raise ValueError('times = []: nothing was recorded')
+    extra = [force - staticForce for force in forces]
+    top = max(range(len(extra)), key=extra.__getitem__)
+    above = [i for i, force in enumerate(extra) if force >= PULSE_THRESHOLD * extra[top]]
+    first, last = above[0], above[-1]
+    impulse = sum(0.5 * (extra[i] + extra[i + 1]) * (times[i + 1] - times[i]) for i in range(first, last))
+    return Pulse(extra[top], times[top], times[first], times[last], times[last] - times[first], impulse)
+
+
+class EndOfImpact:
+    """Whether the impact is over: the impactor has touched, and since the peak the force on the base (less the static
+    one) has stayed within QUIET_THRESHOLD of the peak for QUIET_TIME."""
+
+    def __init__(self, recorder, staticForce):
+        self.recorder, self.staticForce = recorder, staticForce
+
+    def check(self):
+        peak, loudest = 0.0, None
+        for row in self.recorder.rows:
+            extra = row[1] - self.staticForce
+            peak = max(peak, extra)
+        if not any(row[3] > 0 for row in self.recorder.rows):
+            return False
+        for row in reversed(self.recorder.rows):
+            if abs(row[1] - self.staticForce) > QUIET_THRESHOLD * peak:
+                loudest = row[0]
+                break
+        return loudest is not None and self.recorder.rows[-1][0] - loudest > QUIET_TIME
+
+
+def recordImpact(stepper, recorder, staticForce, maxTime):
+    """Step and record until the impact is over, or for `maxTime` [s] at most. Returns whether it was over."""
+    end = EndOfImpact(recorder, staticForce)
+    while O.time - recorder.startTime < maxTime:
+        stepper.run(100, recorder.sample)
+        if end.check():
+            return True
+    return False
+
+
+def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81):
+    """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
+
+    :param material: `CurvatureMat` of base and impactor
+    :returns: `BareImpact`
+    """
+    parameters = {**material.dict(), 'id': -1, 'label': ''}
+    O.switchScene()
+    try:
+        O.resetThisScene()
+        own = CurvatureMat(**parameters)
+        O.materials.append(own)
+        base = O.bodies.append(utils.wall(0.0, 2, sense=1, material=own))
+        impactor = addImpactor(diameter, density, own, speed, dropHeight, 0.0, (), gravity)
+        O.engines = superquadricEngines(gravity=(0, 0, -gravity))
+        O.dt = 0.005 * criticalTimeStep()  # its contact lasts about 200 such steps
+        recorder = Recorder(Container(base, (), None, None, None, None), impactor)
+        recordImpact(Stepper(stream=None), recorder, 0.0, maxTime=0.1)
+        times, forces = recorder.column('time'), recorder.column('baseForce')
+        return BareImpact(pulse(times, forces, 0.0), times, forces)
+    finally:
+        O.resetThisScene()
+        O.switchScene()

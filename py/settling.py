@@ -1,0 +1,120 @@
+"""Bringing a bed to rest: first with soft particles, which allows long time steps, then with the true stiffness.
+
+The rain falls and comes to rest with Young's modulus divided by `softening`; the critical time step (14) grows by
+its square root. The restitution of the law does not depend on the stiffness, nor does friction; what differs is the
+overlap under the bed's own weight, well below a percent of the particle size. Then the modulus rises to the
+true one in small steps of time and stiffness while YADE's non-viscous damping takes up the energy that the shrinking
+overlaps give back, and the bed comes to rest a second time.
+"""
+import math
+
+from yade import O
+from yade.wrapper import CurvatureMat, NewtonIntegrator
+
+from . import checks
+from .engines import criticalTimeStep, engine
+
+CHECK_STEPS = 150      # time steps between two looks at the criterion
+CHECKS_IN_A_ROW = 4    # the criterion must hold as often, so that a turning point of the motion does not count
+QUIET = 1e-5           # kinetic energy per particle over m g d (d: diameter of the sphere of equal volume)
+SUPPORT = 0.01         # distance of base and walls' vertical force from the particles' weight, over the weight
+RAMP_STAGES = 40       # steps of stiffness between soft and true
+RAMP_STEPS = 40        # time steps in each
+RAMP_DAMPING = 0.3     # non-viscous damping during the ramp and the second settling
+
+
+class RestCriterion:
+    """Whether the particles `ids` rest on the bodies `supports` (base and walls).
+
+    At rest: kinetic energy (rotation included) per particle below `quiet` m g d, and the vertical force on the supports
+    within `support` of the weight; as often in a row as CHECKS_IN_A_ROW says.
+    """
+
+    def __init__(self, ids, supports, quiet=QUIET, support=SUPPORT):
+        self.ids, self.supports = list(ids), list(supports)
+        self.quiet, self.support = checks.positive('quiet', quiet), checks.positive('support', support)
+        self.gravity = abs(engine(NewtonIntegrator).gravity[2])
+        masses = [O.bodies[i].state.mass for i in self.ids]
+        self.weight = self.gravity * sum(masses)
+        self.scale = self.weight * _meanDiameter(self.ids)
+        self.held = 0
+
+    def kineticEnergy(self):
+        """Mean kinetic energy of a particle over m g d [-]."""
+        return sum(_kineticEnergy(O.bodies[i].state) for i in self.ids) / self.scale
+
+    def supportedWeight(self):
+        """Vertical force on the supports over the weight [-]."""
+        return -sum(O.forces.f(i)[2] for i in self.supports) / self.weight
+
+    def check(self):
+        """Look once; True when the criterion has held long enough."""
+        quiet = self.kineticEnergy() < self.quiet
+        self.held = self.held + 1 if quiet and abs(self.supportedWeight() - 1) < self.support else 0
+        return self.held >= CHECKS_IN_A_ROW
+
+
+def _kineticEnergy(state):
+    spin = state.ori.conjugate() * state.angVel
+    return 0.5 * (state.mass * state.vel.squaredNorm() + sum(i * w * w for i, w in zip(state.inertia, spin)))
+
+
+def _meanDiameter(ids):
+    volume = sum(O.bodies[i].state.mass / O.bodies[i].mat.density for i in ids) / len(ids)
+    return (6 * volume / math.pi) ** (1 / 3)
+
+
+def settle(stepper, criterion, maxTime):
+    """Step until the criterion holds, or for `maxTime` [s] of simulated time at most.
+
+    :param stepper: `Stepper`
+    :returns: whether the bed came to rest
+    """
+    end = O.time + checks.positive('maxTime', maxTime)
+    while O.time < end:
+        stepper.run(CHECK_STEPS)
+        if criterion.check():
+            return True
+    return False
+
+
+def scaleStiffness(factor):
+    """Multiply Young's modulus of all shared materials, and of the contacts that exist, by `factor`.
+
+    The tangential displacements are scaled by factor^(-2/3), as the overlaps will be once the bed has found its
+    equilibrium again: the contacts then carry the friction that they carried before.
+
+    :raises ValueError: a body's material is not in O.materials, so that it would be missed
+    """
+    factor = checks.positive('factor', factor)
+    for body in O.bodies:
+        if isinstance(body.mat, CurvatureMat) and body.mat.id < 0:
+            raise ValueError(f'body {body.id}: its material is not in O.materials; use O.materials.append')
+    for material in O.materials:
+        if isinstance(material, CurvatureMat):
+            material.young = factor * material.young
+    shrink = factor ** (-2 / 3)
+    for interaction in O.interactions:
+        phys = interaction.phys
+        phys.updateAttrs({'effectiveModulus': factor * phys.effectiveModulus,
+                          'shearDisplacement': shrink * phys.shearDisplacement})
+
+
+def rampFactor(softening):
+    """Factor by which the stiffness rises in one of RAMP_STAGES stages, to make good for `softening` at the end."""
+    return checks.positive('softening', softening) ** (1 / RAMP_STAGES)
+
+
+def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda stage: None):
+    """Raise the stiffness by `softening` in RAMP_STAGES stages, the time step following.
+
+    :param timeStepFraction: time step over the critical one (14)
+    :param done: stages already done, for a run that is taken up again
+    :param afterScaling: called with the number of stages done, before their steps are run
+    """
+    engine(NewtonIntegrator).damping = RAMP_DAMPING
+    for stage in range(done, RAMP_STAGES):
+        scaleStiffness(rampFactor(softening))
+        O.dt = timeStepFraction * criticalTimeStep()
+        afterScaling(stage + 1)
+        stepper.run(RAMP_STEPS)

@@ -1,0 +1,70 @@
+"""Where all particles are, as arrays: what the measures and the pictures work on, independent of the scene."""
+import numpy as np
+
+from yade import O
+from yade.wrapper import Sphere, Superquadric
+
+
+class Snapshot:
+    """Particles at one moment.
+
+    :ivar ids: body ids, (N,); :ivar positions: [m], (N, 3); :ivar rotations: body to scene, (N, 3, 3)
+    :ivar extents: half sizes [m], (N, 3); :ivar exponents: (n1, n2), (N, 2)
+    """
+
+    ARRAYS = ('ids', 'positions', 'rotations', 'extents', 'exponents')
+
+    def __init__(self, **arrays):
+        for name in self.ARRAYS:
+            setattr(self, name, np.asarray(arrays[name]))
+
+    def __len__(self):
+        return len(self.ids)
+
+    @classmethod
+    def ofBodies(cls, ids):
+        """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene."""
+        bodies = [O.bodies[i] for i in ids]
+        described = [(body, *_describe(body.shape)) for body in bodies if isinstance(body.shape, (Sphere, Superquadric))]
+        return cls(ids=np.array([body.id for body, _, _ in described], dtype=int),
+                   positions=np.array([tuple(body.state.pos) for body, _, _ in described]).reshape(-1, 3),
+                   rotations=np.array([_matrix(body.state.ori) for body, _, _ in described]).reshape(-1, 3, 3),
+                   extents=np.array([extents for _, extents, _ in described]).reshape(-1, 3),
+                   exponents=np.array([exponents for _, _, exponents in described]).reshape(-1, 2))
+
+    def save(self, path):
+        np.savez_compressed(path, **{name: getattr(self, name) for name in self.ARRAYS})
+
+    @classmethod
+    def load(cls, path):
+        with np.load(path) as stored:
+            return cls(**{name: stored[name] for name in cls.ARRAYS})
+
+
+def gauge(points, extents, exponents):
+    """g = f^(1/n1) of `points` (..., 3) [m] in the particle's own axes: below 1 inside, 1 on the surface."""
+    x, y, z = np.moveaxis(np.abs(points) / extents, -1, 0)
+    n1, n2 = exponents
+    radial = np.maximum(x, y)
+    ratio = np.divide(np.minimum(x, y), radial, out=np.zeros_like(radial), where=radial > 0)
+    radial = radial * (1 + ratio ** n2) ** (1 / n2)
+    largest = np.maximum(radial, z)
+    ratio = np.divide(np.minimum(radial, z), largest, out=np.zeros_like(largest), where=largest > 0)
+    return largest * (1 + ratio ** n1) ** (1 / n1)
+
+
+def boxHalfHeights(snapshot):
+    """Half extents (N, 3) [m] of boxes along the scene's axes that hold the particles (of their own boxes: they are
+    a little too large)."""
+    return np.einsum('nij,nj->ni', np.abs(snapshot.rotations), snapshot.extents)
+
+
+def _describe(shape):
+    if isinstance(shape, Sphere):
+        return (shape.radius,) * 3, (2.0, 2.0)
+    return tuple(shape.extents), (shape.n1, shape.n2)
+
+
+def _matrix(orientation):
+    matrix = orientation.toRotationMatrix()
+    return [[matrix[i, j] for j in range(3)] for i in range(3)]

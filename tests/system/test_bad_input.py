@@ -1,0 +1,124 @@
+"""Bad input: a ValueError that names parameter and value, before anything changes; from the script exit code 2."""
+import math
+import os
+import subprocess
+import sys
+
+import pytest
+from yade import O
+from yade.wrapper import CurvatureMat, Superquadric
+
+import yade.superquadric as sq
+from yade.superquadric import study
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+NAN, INF = float('nan'), float('inf')
+
+
+@pytest.fixture
+def material():
+    O.reset()
+    result = CurvatureMat(young=1e9, poisson=0.2, density=2500, frictionAngle=0.38)
+    O.materials.append(result)
+    return result
+
+
+@pytest.mark.parametrize('value', [(0, 1, 1), (1, -1, 1), (1, 1, NAN), (INF, 1, 1)])
+def test_extents(material, value):
+    bad = next(x for x in value if not (x > 0 and math.isfinite(x)))
+    with pytest.raises(ValueError, match=rf'extents.*{bad}'):
+        sq.superquadric((0, 0, 0), value, 8, 8, material)
+    with pytest.raises(ValueError, match='extents'):
+        Superquadric(extents=value)
+    assert len(O.bodies) == 0
+
+
+def test_twoExtents(material):
+    with pytest.raises(ValueError, match=r'extents = \(1, 1\)'):
+        sq.superquadric((0, 0, 0), (1, 1), 8, 8, material)
+
+
+@pytest.mark.parametrize('value', [1.9, 0, -3, 20.5, NAN, INF])
+def test_exponents(material, value):
+    for name, pair in (('n1', (value, 8)), ('n2', (8, value))):
+        with pytest.raises(ValueError, match=f'{name} = {value}'):
+            sq.superquadric((0, 0, 0), (1, 1, 1), *pair, material)
+        with pytest.raises(ValueError, match=name):
+            Superquadric(extents=(1, 1, 1), **{name: value})
+
+
+@pytest.mark.parametrize('name, value', [
+    ('frictionAngle', -0.1), ('normalDamping', -0.01), ('normalDamping', 1.0), ('normalDamping', 1.5),
+    ('tangentialDamping', -1.0), ('rollingFriction', -0.002), ('young', 0.0), ('density', -2500.0), ('poisson', 0.6)])
+def test_materials(name, value):
+    material = CurvatureMat(young=1e9, poisson=0.2, density=2500)
+    before = getattr(material, name)
+    with pytest.raises(ValueError, match=name):
+        setattr(material, name, value)
+    assert getattr(material, name) == before
+
+
+def test_containerSmallerThanAParticle(material):
+    shape = sq.particleShape('cube')
+    for radius, height, name in ((5e-3, 0.3, 'radius'), (0.095, 0.01, 'height')):
+        with pytest.raises(ValueError, match=f'container {name} = {radius if name == "radius" else height}'):
+            sq.cylinderContainer(radius, height, material, shape.boundingRadius)
+    with pytest.raises(ValueError, match='container depth = 0.01'):
+        sq.boxContainer(0.1, 0.01, 0.1, material, shape.boundingRadius)
+    assert len(O.bodies) == 0
+
+
+def test_timeStepAboveTheCriticalOne(material):
+    O.bodies.append(sq.superquadric((0, 0, 0), (5e-3,) * 3, 8, 8, material))
+    critical = sq.criticalTimeStep()
+    # (14): pi Rmin / (0.163 nu + 0.8766) sqrt(density/G)
+    assert critical == pytest.approx(math.pi * 5e-3 / (0.163 * 0.2 + 0.8766) * math.sqrt(2500 / (1e9 / 2.4)), rel=1e-12)
+    assert sq.checkTimeStep(0.1 * critical) == 0.1 * critical
+    with pytest.raises(ValueError, match=f'dt = {1.01 * critical!r}: above the critical'):
+        sq.checkTimeStep(1.01 * critical)
+
+
+def test_emptySceneHasNoCriticalTimeStep(material):
+    with pytest.raises(ValueError, match='bodies'):
+        sq.criticalTimeStep()
+
+
+BAD_PARAMETERS = [
+    ('shape', 'egg'), ('n1', 1.0), ('n2', 21), ('aspect', 2.0), ('radius', 0), ('radius', NAN), ('thickness', -0.01),
+    ('thickness', 0.4), ('particles', 2.5), ('particles', 100000), ('solidFraction', 0.9), ('containerDiameter', 0.01),
+    ('containerHeight', 0.005), ('density', 0), ('young', -1e9), ('poisson', 0.5), ('friction', -0.4),
+    ('normalDamping', 1.0), ('tangentialDamping', -0.1), ('rollingFriction', -1), ('impactorDiameter', 0.2),
+    ('impactorDensity', INF), ('speed', -5), ('dropHeight', -0.3), ('softening', 0.5), ('timeStepFraction', 1.5),
+    ('dt', 1e-4), ('seed', -1), ('seed', 'abc')]
+
+
+@pytest.mark.parametrize('name, value', BAD_PARAMETERS)
+def test_studyParameters(name, value, tmp_path):
+    O.reset()
+    output = str(tmp_path / 'out')
+    expected = {('aspect', 2.0): 'aspect', ('containerDiameter', 0.01): 'container radius',
+                ('containerHeight', 0.005): 'container height'}.get((name, value), f'{name} = {value!r}')
+    with pytest.raises(ValueError, match=expected.replace('(', r'\(')):
+        sq.ImpactRun.begin({name: value}, output)
+    assert len(O.bodies) == 0 and not os.path.exists(output)
+
+
+def test_unknownParameter():
+    with pytest.raises(ValueError, match='thikness = 0.1'):
+        study.checked({'thikness': 0.1})
+
+
+def runScript(*arguments):
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+
+
+@pytest.mark.parametrize('arguments, message', [
+    (['--normalDamping', '1'], 'normalDamping = \'1\''), (['--thickness', '0.4'], 'overfull'),
+    (['--dt', '1e-4'], 'critical'), (['--resume'], 'no checkpoint')])
+def test_scriptSaysItAndEndsWithCodeTwo(arguments, message, tmp_path):
+    output = tmp_path / 'out'
+    done = runScript('--output', str(output), *arguments)
+    assert done.returncode == 2
+    assert message in done.stderr and 'Traceback' not in done.stdout + done.stderr
+    assert not output.exists()

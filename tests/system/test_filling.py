@@ -1,0 +1,124 @@
+"""Shapes of equal volume, and the rain filling: no overlap at the start, seeded, refused when it does not fit."""
+import math
+
+import pytest
+from yade import O
+from yade.minieigenHP import Vector3
+from yade.wrapper import CurvatureMat
+
+import yade.superquadric as sq
+
+MATERIAL = dict(young=1e7, poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1,
+                tangentialDamping=0.1, rollingFriction=0.002)
+FAMILY = [('sphere', 1.0), ('ellipsoid', 1.5), ('cylinder', 1.0), ('cylinder', 3.0), ('cube', 1.0), ('block', 0.4)]
+
+
+@pytest.fixture
+def material():
+    O.reset()
+    result = CurvatureMat(**MATERIAL)
+    O.materials.append(result)
+    return result
+
+
+def fill(material, shape, number, seed=3, radius=0.05, height=0.3):
+    container = sq.cylinderContainer(radius, height, material)
+    return sq.rainFilling([shape] * number, container, material, seed)
+
+
+def poses(ids):
+    states = [O.bodies[i].state for i in ids]
+    return [tuple(s.pos) + tuple(s.ori) for s in states]
+
+
+def test_halfSizeOfTheStudysCube():
+    # 4.115 mm: shared parameters of the study, from the Beta function.
+    assert sq.equalVolumeExtents(5e-3, 8, 8) == pytest.approx((4.1146e-3,) * 3, rel=1e-4)
+
+
+@pytest.mark.parametrize('name, aspect', FAMILY)
+def test_allShapesHaveTheSameMass(material, name, aspect):
+    shape = sq.particleShape(name, 5e-3, aspect)
+    body = shape.body(Vector3.Zero, sq.randomOrientation(__import__('random').Random(1)), material)
+    assert body.state.mass == pytest.approx(2500 * 4 / 3 * math.pi * 5e-3 ** 3, rel=1e-12)
+    assert shape.extents[2] / shape.extents[0] == pytest.approx(aspect)
+
+
+def test_asphericalFollowsTheInertia(material):
+    assert not sq.superquadric((0, 0, 0), (1e-3,) * 3, 8, 8, material).aspherical
+    assert sq.superquadric((0, 0, 0), (1e-3, 1e-3, 2e-3), 8, 8, material).aspherical
+
+
+@pytest.mark.parametrize('name, aspect', FAMILY)
+def test_noOverlapAtTheStart(material, name, aspect):
+    shape = sq.particleShape(name, 5e-3, aspect)
+    ids, container = fill(material, shape, 120)
+    centers = [O.bodies[i].state.pos for i in ids]
+    nearest = min((p - q).norm() for k, p in enumerate(centers) for q in centers[:k])
+    assert nearest > 2 * shape.boundingRadius
+    assert max(math.hypot(p[0], p[1]) for p in centers) <= container.radius - shape.boundingRadius
+    assert min(p[2] for p in centers) > shape.boundingRadius
+    assert max(p[2] for p in centers) + shape.boundingRadius <= container.height * (1 + 1e-12)
+    assert all(O.bodies[i].state.vel == Vector3(0, 0, -0.5) for i in ids)
+
+
+def test_sameSeedSameBedAnotherSeedAnother(material):
+    shape = sq.particleShape('cube')
+    beds = []
+    for seed in (7, 7, 8):
+        O.reset()
+        O.materials.append(material)
+        beds.append(poses(fill(material, shape, 80, seed)[0]))
+    assert beds[0] == beds[1]
+    assert beds[0] != beds[2]
+
+
+def test_orientationsAreUniform():
+    """The images of each axis have mean 0 and covariance 1/3, within four standard errors."""
+    rng, number = __import__('random').Random(5), 4000
+    for axis in (Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(0, 0, 1)):
+        images = [sq.randomOrientation(rng) * axis for _ in range(number)]
+        for k in range(3):
+            mean = sum(v[k] for v in images) / number
+            square = sum(v[k] ** 2 for v in images) / number
+            assert abs(mean) < 4 * math.sqrt(1 / 3 / number)
+            assert abs(square - 1 / 3) < 4 * math.sqrt(4 / 45 / number)
+
+
+def test_rainAboveTheRimRaisesTheContainerForTheTime(material):
+    ids, container = fill(material, sq.particleShape('cube'), 250, height=0.1)
+    assert container.height > 0.1
+    side = O.bodies[container.sideIds[0]]
+    assert side.shape.height == container.height and side.state.pos[2] == container.height / 2
+    sq.setHeight(container, 0.1)
+    assert side.shape.height == pytest.approx(0.1) and side.state.pos[2] == pytest.approx(0.05)
+
+
+def test_overfullContainerIsRefusedBeforeAnyBodyIsAdded(material):
+    container = sq.cylinderContainer(0.05, 0.1, material)
+    before = len(O.bodies)
+    with pytest.raises(ValueError, match=r'number of particles = 5000: overfull'):
+        sq.rainFilling([sq.particleShape('cube')] * 5000, container, material, seed=1)
+    assert len(O.bodies) == before
+
+
+def test_boxFilling(material):
+    container = sq.boxContainer(0.08, 0.05, 0.2, material)
+    shape = sq.particleShape('cube')
+    ids, _ = sq.rainFilling([shape] * 60, container, material, seed=2)
+    for i in ids:
+        x, y, _ = O.bodies[i].state.pos
+        assert abs(x) <= 0.04 - shape.boundingRadius and abs(y) <= 0.025 - shape.boundingRadius
+
+
+def test_measuresOfAKnownBed(material):
+    """Cubes that tile a box: thickness and packing fraction follow from the sizes alone."""
+    container = sq.boxContainer(0.04, 0.04, 0.1, material)
+    half = 5e-3
+    ids = O.bodies.append([sq.superquadric((x, y, z), (half,) * 3, 20, 20, material)
+                           for x in (-15e-3, -5e-3, 5e-3, 15e-3) for y in (-15e-3, -5e-3, 5e-3, 15e-3)
+                           for z in (5e-3, 15e-3)])
+    bed = sq.measureBed(sq.Snapshot.ofBodies(ids), container, voxel=2.5e-4)
+    solid = sum(O.bodies[i].state.mass for i in ids) / 2500
+    assert bed['thickness'] == pytest.approx(0.02, rel=0.04)  # rounded edges take a little off the mean level
+    assert bed['packingFraction'] == pytest.approx(solid / (0.04 ** 2 * bed['thickness']), rel=1e-9)
