@@ -1,0 +1,52 @@
+#include "ContactFunctor.hpp"
+
+namespace yade {
+
+superquadric::WarmStart ContactPair::warmStart() const
+{
+	return interaction->geom ? YADE_CAST<SuperquadricGeom*>(interaction->geom.get())->warmStart() : superquadric::WarmStart();
+}
+
+SuperquadricGeom& ContactPair::geom() const
+{
+	if (!interaction->geom) interaction->geom = shared_ptr<SuperquadricGeom>(new SuperquadricGeom);
+	return *YADE_CAST<SuperquadricGeom*>(interaction->geom.get());
+}
+
+bool ContactPair::touch(const superquadric::Contact& contact, const SuperquadricGeom::Side& side1, const SuperquadricGeom::Side& side2,
+                        const superquadric::WarmStart& warm) const
+{
+	// A parked geom has no history of shear: without phys the contact is new.
+	const bool isNew = !interaction->isReal();
+	// A wall has no radius of its own; YADE's functors give it the particle's.
+	const Real radius1 = side1.smallestHalfSize > 0 ? side1.smallestHalfSize : side2.smallestHalfSize;
+	const Real radius2 = side2.smallestHalfSize > 0 ? side2.smallestHalfSize : side1.smallestHalfSize;
+	SuperquadricGeom& g = geom();
+	g.touching = true;
+	g.setWarmStart(warm);
+	g.setSides(side1, side2);
+	// Without YADE's correction against ratcheting, which holds for spheres only.
+	g.doIg2Work(contact.middle(), contact.overlap, radius1, radius2, state1, state2, scene, interaction, contact.normal, shift2, isNew, false);
+	return true;
+}
+
+bool ContactPair::part(const superquadric::Contact& contact, const superquadric::WarmStart& warm) const
+{
+	const bool keep = mustBeKept();
+	if (!keep && !interaction->geom && warm.kind == superquadric::WarmStart::None) return false; // nothing to remember
+	SuperquadricGeom& g = geom();
+	g.touching = false;
+	g.setWarmStart(warm);
+	// Negative in any case: that is how YADE's own laws, too, know a contact that has ended.
+	g.penetrationDepth = std::min(contact.overlap, -std::numeric_limits<Real>::min());
+	g.shearInc = Vector3r::Zero();
+	return keep;
+}
+
+SuperquadricGeom::Side sideOf(const superquadric::Placement& body, const Vector3r& surface, const Vector3r& normal, Real curvature)
+{
+	const Real halfThickness = std::abs((surface - body.position).dot(normal));
+	return { curvature, std::sqrt(body.shape.halfSizes().prod() / halfThickness), body.shape.smallestHalfSize() };
+}
+
+} // namespace yade
