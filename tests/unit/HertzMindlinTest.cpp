@@ -55,9 +55,9 @@ TEST(HertzMindlin, StiffnessRatioDoesNotDependOnTheOrder)
 
 TEST(HertzMindlin, MassOfAnImmovablePartner)
 {
-	EXPECT_DOUBLE_EQ(effectiveMass(2, 2), 1);
-	EXPECT_DOUBLE_EQ(effectiveMass(2, immovable), 2);
-	EXPECT_DOUBLE_EQ(effectiveMass(immovable, immovable), 0);
+	EXPECT_DOUBLE_EQ(reduced(2, 2), 1);
+	EXPECT_DOUBLE_EQ(reduced(2, immovable), 2);
+	EXPECT_DOUBLE_EQ(reduced(immovable, immovable), 0);
 }
 
 TEST(HertzMindlin, CurvatureIsBoundedOnFacesAndEdgesOnly)

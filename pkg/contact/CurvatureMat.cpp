@@ -1,0 +1,54 @@
+#include "CurvatureMat.hpp"
+
+#include <lib/high-precision/Constants.hpp>
+#include <pkg/geometry/HertzMindlin.hpp>
+#include <pkg/superquadric/Checks.hpp>
+
+namespace yade {
+
+YADE_PLUGIN((CurvatureMat));
+
+namespace {
+	void requireNotNegative(const char* name, Real value)
+	{
+		if (!(std::isfinite(value) && value >= 0)) refuse(name, "finite and not negative", value);
+	}
+}
+
+Real CurvatureMat::criticalTimeStep(Real minHalfSize) const
+{
+	requirePositive("minHalfSize", minHalfSize);
+	return superquadric::hertzMindlin::criticalTimeStep(minHalfSize, young, poisson, density);
+}
+
+std::array<Real*, 7> CurvatureMat::parameters()
+{
+	return { &density, &young, &poisson, &frictionAngle, &normalDamping, &tangentialDamping, &rollingFriction };
+}
+
+void CurvatureMat::check() const
+{
+	requirePositive("density", density);
+	requirePositive("young", young);
+	if (!(poisson > -1 && poisson < 0.5)) refuse("poisson", "between -1 and 0.5", poisson);
+	if (!(frictionAngle >= 0 && frictionAngle < Mathr::PI / 2)) refuse("frictionAngle", "within [0, pi/2)", frictionAngle);
+	if (!(normalDamping >= 0 && normalDamping < 1)) refuse("normalDamping", "within [0, 1)", normalDamping);
+	requireNotNegative("tangentialDamping", tangentialDamping);
+	requireNotNegative("rollingFriction", rollingFriction);
+}
+
+void CurvatureMat::postLoad(CurvatureMat&)
+{
+	const auto current = parameters();
+	try {
+		check();
+	} catch (const std::invalid_argument&) {
+		for (std::size_t i = 0; i < current.size(); ++i)
+			*current[i] = accepted[i];
+		throw;
+	}
+	for (std::size_t i = 0; i < current.size(); ++i)
+		accepted[i] = *current[i];
+}
+
+} // namespace yade

@@ -1,0 +1,7 @@
+#include "CurvaturePhys.hpp"
+
+namespace yade {
+
+YADE_PLUGIN((CurvaturePhys));
+
+} // namespace yade

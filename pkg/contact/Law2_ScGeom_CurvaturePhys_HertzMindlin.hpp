@@ -1,0 +1,81 @@
+// YADE's side of the contact law (6)-(13); the law itself is in pkg/geometry/HertzMindlin.hpp.
+#pragma once
+
+#include "CurvaturePhys.hpp"
+
+#include <core/Dispatching.hpp>
+#include <core/EnergyTracker.hpp>
+#include <pkg/dem/ScGeom.hpp>
+#include <pkg/geometry/HertzMindlin.hpp>
+
+#include <array>
+#include <atomic>
+#include <mutex>
+
+namespace yade {
+
+class SuperquadricGeom;
+
+class Law2_ScGeom_CurvaturePhys_HertzMindlin : public LawFunctor {
+public:
+	virtual ~Law2_ScGeom_CurvaturePhys_HertzMindlin() = default;
+	bool go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction) override;
+	FUNCTOR2D(ScGeom, CurvaturePhys);
+
+	// Called by YADE after the attributes were set or loaded. Refused values are put back before the error leaves.
+	void postLoad(Law2_ScGeom_CurvaturePhys_HertzMindlin&);
+
+private:
+	// Two bodies at a contact, and how they move relative to each other. Velocities are those of half a step ago, which YADE's
+	// leap-frog integrator has; they are the ones that led to the present positions.
+	struct Meeting {
+		const Body &body1, &body2;
+		superquadric::hertzMindlin::Side side1, side2;
+		Vector3r position1, position2; // of the periodic images that meet [m]
+		Real approach; // speed at which the overlap grows [m/s]
+		Vector3r sliding, spin; // of body 2 relative to body 1, tangential [m/s] and angular [rad/s]
+	};
+	struct Radii {
+		Real effective, rolling; // R* of (7) and R of (13) [m]
+	};
+	struct Response {
+		superquadric::hertzMindlin::NormalForce normal;
+		superquadric::hertzMindlin::TangentialForce tangential;
+		Vector3r couple;
+	};
+	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, StiffnessChange, energyCount };
+
+	Meeting meeting(ScGeom& geom, const SuperquadricGeom* ours, const Interaction& interaction) const;
+	Radii radii(const ScGeom& geom, const Meeting& bodies) const;
+	Response response(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
+	void apply(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies) const;
+	void bookEnergy(const ScGeom& geom, const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz);
+	void findEnergies();
+
+	std::array<int, energyCount> energyIds;
+	std::atomic<long> energiesFoundAt { -1 };
+	std::mutex findingEnergies;
+	Real acceptedLimit;
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR(Law2_ScGeom_CurvaturePhys_HertzMindlin, LawFunctor,
+		"Contact law of [Wang2018]_, (6)-(13), with the radius of curvature at the contact: for :yref:`Superquadric` and for YADE's :yref:`Sphere` alike, with each other and with walls. "
+		"A partner that is neither is flat. What the paper leaves open:\n\n"
+		"* radii of curvature are bounded, see overlapLimit;\n"
+		"* the viscous part never makes the normal force attractive; viscous and elastic tangential force together obey Coulomb's limit $\\mu K_n d^{3/2}$;\n"
+		"* the displacement of (11) is a vector that turns with the contact; beyond $\\delta_{t,max}$ it slips and is shortened, also when $\\delta_{t,max}$ shrinks with the overlap;\n"
+		"* $R_i$ of (13) is the smaller radius of the two, which is the paper's for equal bodies and at a wall. The couple acts against the whole "
+		"relative angular velocity, with opposite signs on both bodies, and never exceeds what stops that within one step;\n"
+		"* bodies that cannot move (blocked or without mass) count as infinitely heavy in $m^*$.\n\n"
+		"With O.trackEnergy, O.energy has: 'elastic' (stored now, normal and tangential); the sums 'frictionDissip' (slip), 'normalViscous', 'tangentialViscous', 'rolling'; and "
+		"'stiffnessChange', what the law itself takes out (negative: puts in) when a stiffness changes under load: $K_n$ with the radius of curvature, the tangential one of (11) "
+		"with the overlap. Kinetic energy plus these is constant up to the error of the time integration.",
+		((Real, overlapLimit, 0.1, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 and 1 [-]. It bounds the radius of curvature: at least that "
+			"overlap (Hertz needs an overlap below the radius); and at most so large that at that overlap the disc of contact is as wide as the section of the body across the normal."))
+		, acceptedLimit = overlapLimit;
+	);
+	// clang-format on
+};
+REGISTER_SERIALIZABLE(Law2_ScGeom_CurvaturePhys_HertzMindlin);
+
+} // namespace yade
