@@ -26,6 +26,7 @@ file(REMOVE_RECURSE ${oldLinks} ${overlayLibDir}/py ${overlay}/bin)
 link_all(${YADE_libDir} ${overlayLibDir} py)
 link_all(${YADE_libDir}/py ${overlayLibDir}/py yade)
 link_all(${YADE_libDir}/py/yade ${overlayPackage})
+file(CREATE_LINK ${overlayLibDir}/py ${overlay}/python SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/py ${overlayPackage}/superquadric SYMBOLIC)
 set_target_properties(superquadric PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${overlayLibDir})
 

@@ -1,0 +1,31 @@
+# The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
+.PHONY: help demo test build shell clean
+
+# The demonstration's arguments, here and nowhere else (its defaults are the paper's).
+demoArguments = --output demo
+
+help:
+	@echo 'make demo    a bed of cubes cushions a blow: results and pictures in demo/'
+	@echo 'make test    all tests; the last line counts them'
+	@echo 'make build   the plugin and the C++ tests, without running anything'
+	@echo 'make shell   the console of YADE with the plugin (the 3D view where there is a display)'
+	@echo 'make clean   remove the results of the demo and the build directories of this project'
+	@echo
+	@echo 'Any other command with the plugin: tools/env COMMAND, e.g. tools/env yade script.py'
+
+demo:
+	@tools/env yade -n -x scripts/impact.py $(demoArguments)
+
+test:
+	@tools/env --target all true || { echo '0 passed, 1 failed'; exit 1; }
+	@tools/env tests/run
+
+build:
+	@tools/env --target all true
+
+shell:
+	@tools/env yade
+
+clean:
+	@tools/env --remove
+	rm -rf demo

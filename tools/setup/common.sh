@@ -1,0 +1,56 @@
+# Shared by tools/env and its parts (sourced): messages, places, checks.
+# shellcheck shell=bash disable=SC2034,SC2154
+
+say() { printf 'superquadric: %s\n' "$*" >&2; }
+
+die() {
+  printf 'superquadric: ERROR: %s\n' "$1" >&2
+  shift
+  [ $# -eq 0 ] || printf '  %s\n' "$@" >&2
+  exit 1
+}
+
+minimumYade=2025.2      # the oldest YADE that the plugin is written for
+debianSuite=trixie      # the Debian that has it (13), for machines that do not
+recipe=1                # raise when the way the Debian root is made changes
+
+# As ordinary users see it: a relative XDG_CACHE_HOME is invalid by its specification.
+case ${XDG_CACHE_HOME:-} in
+  /*) cache=$XDG_CACHE_HOME/yade-superquadric ;;
+  *) cache=${HOME:?}/.cache/yade-superquadric ;;
+esac
+
+# as_root REASON COMMAND...: run a command that needs administrator's rights, or say which one to ask for.
+as_root() {
+  local reason=$1
+  shift
+  say "$reason"
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@" >&2 || die "this command failed:" "$*"
+  elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+    say "through sudo: $*"
+    sudo "$@" >&2 || die "this needs the administrator. Please ask for:" "$*"
+  else
+    die "this needs the administrator. Please ask for:" "$*"
+  fi
+}
+
+# packages_of SET...: the package names in tools/packages/SET, sorted, each once.
+packages_of() {
+  local set
+  for set in "$@"; do
+    [ -f "$project/tools/packages/$set" ] || die "there is no package list tools/packages/$set"
+  done
+  (cd "$project/tools/packages" && sed -e 's/#.*//' "$@") | xargs -n1 | sort -u
+}
+
+# short_hash: 12 characters that stand for what comes in.
+short_hash() { sha256sum | cut -c1-12; }
+
+# missing_packages PACKAGE...: those that are not installed on this machine.
+missing_packages() {
+  local package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || echo "$package"
+  done
+}
