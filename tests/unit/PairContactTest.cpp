@@ -1,0 +1,223 @@
+// The contract of a contact of two superquadrics (Contact.hpp): signs, normal, overlap, surface points, symmetry, warm start.
+// The verdicts themselves are held against an oracle in tests/oracle.
+#include <pkg/geometry/Curvature.hpp>
+#include <pkg/geometry/PairContact.hpp>
+
+#include <tests/oracle/CommonScaling.hpp>
+
+#include "RandomBodies.hpp"
+#include "ReferenceShape.hpp"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+using namespace superquadric;
+using namespace superquadric::testing;
+
+namespace {
+
+const double sizes[] = { 1e-6, 1e-3, 1.0, 10.0 };
+
+struct Body {
+	Shape shape;
+	Vector3 position;
+	Matrix3 rotation;
+	Placement placed() const { return { shape, position, rotation }; }
+};
+
+struct Pair {
+	Body one, two;
+};
+
+Contact contactOf(const Body& one, const Body& two)
+{
+	WarmStart warm;
+	SolverCounters counters;
+	const Contact contact = contactPair(one.placed(), two.placed(), warm, counters);
+	EXPECT_EQ(counters.uncertified, 0u);
+	return contact;
+}
+Contact contactOf(const Pair& pair) { return contactOf(pair.one, pair.two); }
+
+// A random pair whose common scaling is t, by the oracle.
+Pair pairAt(RandomBodies& random, double t, double size = 1)
+{
+	const Shape shape1 = random.shape(size), shape2 = random.shape(size * random.logarithmic(0.05, 20));
+	Body one { shape1, size * random.direction(), random.rotation() }, two { shape2, one.position + size * random.direction(), random.rotation() };
+	const double reached = double(commonScaling(one.placed(), two.placed()).middle());
+	two.position = one.position + (two.position - one.position) * (t / reached);
+	return { one, two };
+}
+
+Pair moved(const Pair& pair, const Matrix3& turn, const Vector3& shift, double scale)
+{
+	const auto copy = [&](const Body& b) {
+		return Body { Shape(scale * b.shape.halfSizes(), b.shape.n1(), b.shape.n2()), scale * (turn * b.position + shift), turn * b.rotation };
+	};
+	return { copy(pair.one), copy(pair.two) };
+}
+
+double smallest(const Pair& pair) { return std::min(pair.one.shape.smallestHalfSize(), pair.two.shape.smallestHalfSize()); }
+
+RealVector seenBy(const Body& body, const Vector3& x) { return body.rotation.cast<Real>().transpose() * (x - body.position).cast<Real>(); }
+
+} // namespace
+
+TEST(PairContact, OfSpheresIsClosedForm)
+{
+	RandomBodies random(71);
+	for (double size : sizes)
+		for (int i = 0; i < 100; ++i) {
+			const double radius1 = size * random.logarithmic(0.1, 1), radius2 = size * random.logarithmic(0.1, 1), t = random.uniform(0.7, 1.1);
+			const Vector3 centre1 = size * random.direction(), normal = random.direction(), centre2 = centre1 + t * (radius1 + radius2) * normal;
+			const Body one { Shape(Vector3::Constant(radius1), 2, 2), centre1, random.rotation() }, two { Shape(Vector3::Constant(radius2), 2, 2), centre2, random.rotation() };
+			const Contact contact = contactOf(one, two);
+			ASSERT_EQ(contact.status, t < 1 ? Status::Overlap : Status::Apart);
+			EXPECT_LT((contact.normal - normal).norm(), 1e-10);
+			if (t > 1) continue;
+			EXPECT_NEAR(contact.overlap, radius1 + radius2 - (centre2 - centre1).norm(), 1e-13 * size);
+			EXPECT_LT((contact.surface1 - centre1 - radius1 * normal).norm(), 1e-10 * size);
+			EXPECT_LT((contact.surface2 - centre2 + radius2 * normal).norm(), 1e-10 * size);
+			EXPECT_LT((contact.point - centre1 - t * radius1 * normal).norm(), 1e-10 * size);
+			EXPECT_NEAR(contact.curvature1 * radius1, 1, 1e-12);
+			EXPECT_NEAR(contact.curvature2 * radius2, 1, 1e-12);
+		}
+}
+
+TEST(PairContact, OverlapKeepsTheContract)
+{
+	RandomBodies random(72);
+	for (int i = 0; i < 1000; ++i) {
+		const double t = 1 - random.logarithmic(1e-6, 0.05);
+		const Pair pair = pairAt(random, t, sizes[i % 4]);
+		const Contact contact = contactOf(pair);
+		ASSERT_EQ(contact.status, Status::Overlap);
+		EXPECT_NEAR(contact.upper, t, 1e-10); // the point is the deepest one
+		EXPECT_NEAR(contact.normal.norm(), 1, 1e-14);
+		EXPECT_GT(contact.normal.dot(pair.two.position - pair.one.position), 0);
+		EXPECT_GT(contact.overlap, 0);
+		const double blur = 1e-14 * (contact.point.norm() + pair.one.shape.boundingRadius());
+		EXPECT_LT((contact.surface1 - contact.surface2 - contact.overlap * contact.normal).norm(), blur);
+		EXPECT_LE(contact.lower, t);
+
+		const ReferenceShape reference1(pair.one.shape), reference2(pair.two.shape);
+		const Real tolerance = 20 * blur / smallest(pair);
+		EXPECT_LT(std::abs(reference1.function(seenBy(pair.one, contact.surface1)) - 1), tolerance * reference1.n1);
+		EXPECT_LT(std::abs(reference2.function(seenBy(pair.two, contact.surface2)) - 1), tolerance * reference2.n1);
+		// The normal of either level surface through X0, outwards from body 1 and into body 2.
+		const RealVector normal = contact.normal.cast<Real>();
+		const RealVector normal1 = pair.one.rotation.cast<Real>() * reference1.normal(seenBy(pair.one, contact.point));
+		const RealVector normal2 = pair.two.rotation.cast<Real>() * reference2.normal(seenBy(pair.two, contact.point));
+		EXPECT_LT((normal1 - normal).norm(), 1e-8);
+		EXPECT_LT((normal2 + normal).norm(), 1e-8);
+	}
+}
+
+// With equal n1 the point solves eq. (2) in F: the gradients balance and F_i = F_j.
+TEST(PairContact, EqualExponentsSolveEquationTwo)
+{
+	RandomBodies random(73);
+	for (int i = 0; i < 300; ++i) {
+		Pair pair = pairAt(random, 0.99);
+		const Shape copy(pair.two.shape.halfSizes(), pair.one.shape.n1(), pair.two.shape.n2());
+		pair.two = Body { copy, pair.two.position, pair.two.rotation };
+		const Contact contact = contactOf(pair);
+		if (contact.status != Status::Overlap) continue;
+		const ReferenceShape reference1(pair.one.shape), reference2(pair.two.shape);
+		const RealVector x1 = seenBy(pair.one, contact.point), x2 = seenBy(pair.two, contact.point);
+		const RealVector gradient1 = pair.one.rotation.cast<Real>() * reference1.gradient(x1), gradient2 = pair.two.rotation.cast<Real>() * reference2.gradient(x2);
+		const Real squareOfMultiplier = gradient1.norm() / gradient2.norm();
+		EXPECT_LT((gradient1 + squareOfMultiplier * gradient2).norm(), 1e-8L * gradient1.norm());
+		EXPECT_NEAR(reference1.function(x1), reference2.function(x2), 1e-10 * pair.one.shape.n1());
+	}
+}
+
+TEST(PairContact, ApartIsProvedBySurfacePoints)
+{
+	RandomBodies random(74);
+	for (int i = 0; i < 300; ++i) {
+		const Pair pair = pairAt(random, 1 + random.logarithmic(1e-9, 0.05), sizes[i % 4]);
+		const Contact contact = contactOf(pair);
+		ASSERT_EQ(contact.status, Status::Apart);
+		EXPECT_GT(contact.lower, 1);
+		const auto largest = [&](const Body& body, const Vector3& direction) {
+			const Vector3 own = body.rotation.transpose() * direction;
+			const ReferenceShape reference(body.shape);
+			Real far = reference.searchedSupport(own);
+			for (int k = 0; k < 500; ++k)
+				far = std::max(far, reference.surfacePoint(random.uniform(-pi / 2, pi / 2), random.uniform(-pi, pi)).dot(own.cast<Real>()));
+			return double(far);
+		};
+		const double gap = (pair.two.position - pair.one.position).dot(contact.normal) - largest(pair.one, contact.normal) - largest(pair.two, -contact.normal);
+		EXPECT_GT(gap, 0);
+	}
+}
+
+// Body 2 pushed along the normal by a little less than the overlap still overlaps, exactly: X1 is then common to both. Pushed by the
+// overlap it is parted but for a residue of second order, for the normals at X1 and X2 differ a little from that at X0: the residue
+// relative to the overlap is a multiple of the overlap over the sharpest radius.
+TEST(PairContact, PushingByTheOverlapParts)
+{
+	RandomBodies random(75);
+	for (int i = 0; i < 500; ++i) {
+		const double depth = random.logarithmic(1e-8, 1e-5);
+		const Pair pair = pairAt(random, 1 - depth, sizes[i % 4]);
+		const Contact contact = contactOf(pair);
+		ASSERT_EQ(contact.status, Status::Overlap);
+		Body pushed = pair.two;
+		pushed.position = pair.two.position + 0.999 * contact.overlap * contact.normal;
+		EXPECT_EQ(contactOf(pair.one, pushed).status, Status::Overlap);
+		pushed.position = pair.two.position + 1.001 * contact.overlap * contact.normal;
+		EXPECT_EQ(contactOf(pair.one, pushed).status, Status::Apart) << "t* = 1 - " << depth;
+	}
+}
+
+TEST(PairContact, SwappedBodiesGiveTheReversedContact)
+{
+	RandomBodies random(76);
+	for (int i = 0; i < 500; ++i) {
+		const double size = sizes[i % 4];
+		const Pair pair = pairAt(random, random.uniform(0.9, 1.02), size);
+		const Contact contact = contactOf(pair), swapped = contactOf(pair.two, pair.one).reversed();
+		ASSERT_EQ(contact.status, swapped.status);
+		if (!contact.overlapping()) continue;
+		EXPECT_NEAR(contact.overlap, swapped.overlap, 1e-9 * size);
+		EXPECT_LT((contact.normal - swapped.normal).norm(), 1e-8);
+		EXPECT_LT((contact.surface1 - swapped.surface1).norm(), 1e-5 * size);
+		EXPECT_NEAR(contact.curvature1 * size, swapped.curvature1 * size, 1e-5 * (1 + contact.curvature1 * size));
+	}
+}
+
+TEST(PairContact, DoesNotKnowThePlaceTheFrameOrTheMetre)
+{
+	RandomBodies random(77);
+	for (int i = 0; i < 300; ++i) {
+		const Pair pair = pairAt(random, random.index(2) ? random.uniform(0.9, 0.999) : random.uniform(1.001, 1.05));
+		const Contact contact = contactOf(pair);
+		for (double scale : sizes) {
+			const Matrix3 turn = random.rotation();
+			const Vector3 shift = 10 * random.direction();
+			const Contact other = contactOf(moved(pair, turn, shift, scale));
+			ASSERT_EQ(other.status, contact.status);
+			if (!contact.overlapping()) continue;
+			EXPECT_NEAR(other.overlap, scale * contact.overlap, 1e-9 * scale);
+			EXPECT_LT((other.normal - turn * contact.normal).norm(), 1e-8);
+			EXPECT_NEAR(other.upper, contact.upper, 1e-10);
+		}
+	}
+}
+
+// Curvatures are those of the surface points within what the surface turns over the overlap: at a shallow contact, the same.
+TEST(PairContact, CurvaturesAreThoseOfTheSurfacePoints)
+{
+	RandomBodies random(78);
+	for (int i = 0; i < 300; ++i) {
+		const Pair pair = pairAt(random, 1 - 1e-9);
+		const Contact contact = contactOf(pair);
+		const double expected1 = meanCurvature(pair.one.shape, seenBy(pair.one, contact.surface1).cast<double>());
+		const double expected2 = meanCurvature(pair.two.shape, seenBy(pair.two, contact.surface2).cast<double>());
+		EXPECT_NEAR(contact.curvature1, expected1, 1e-4 * std::max(expected1, 1 / pair.one.shape.boundingRadius()));
+		EXPECT_NEAR(contact.curvature2, expected2, 1e-4 * std::max(expected2, 1 / pair.two.shape.boundingRadius()));
+	}
+}
