@@ -35,6 +35,14 @@ namespace {
 		return held || !(smallest > 0) ? infinite : smallest;
 	}
 
+	// What a body sets against a unit push `normal` at `arm` from its centre.
+	Real massAgainst(const State& state, const Vector3r& arm, const Vector3r& normal)
+	{
+		const bool turns = (state.blockedDOFs & State::DOF_RXRYRZ) != State::DOF_RXRYRZ;
+		const Vector3r lever = turns ? Vector3r(state.ori.conjugate() * arm.cross(normal)) : Vector3r(Vector3r::Zero());
+		return hm::massAgainstPush(massOf(state), lever, state.inertia);
+	}
+
 	// A sphere; anything else under YADE's own geometry is flat.
 	hm::Side sideOf(const Body& body)
 	{
@@ -87,9 +95,10 @@ bool Law2_ScGeom_CurvaturePhys_HertzMindlin::go(shared_ptr<IGeom>& iGeom, shared
 	const Radii radius = radii(geom, bodies);
 	phys.effectiveRadius = radius.effective;
 	phys.effectiveMass = hm::reduced(massOf(moving(bodies.body1, scene)), massOf(moving(bodies.body2, scene)));
+	phys.normalMass = leverArms ? normalMass(geom, bodies) : phys.effectiveMass;
 
 	const Response now = response(geom, phys, bodies, radius.rolling);
-	const Real hertz = hm::Pair { phys.effectiveModulus, radius.effective, phys.effectiveMass }.hertz();
+	const Real hertz = hm::Pair { phys.effectiveModulus, radius.effective, phys.normalMass }.hertz();
 	if (scene->trackEnergy) bookEnergy(geom, phys, bodies, now, hertz);
 
 	phys.hertzStiffness = hertz;
@@ -126,6 +135,14 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::meeting(ScGeom& geom, const Superquadric
 	return { body1, body2, side1, side2, state1.pos, position2, approach, velocity + approach * geom.normal, state2.angVel - state1.angVel };
 }
 
+Real Law2_ScGeom_CurvaturePhys_HertzMindlin::normalMass(const ScGeom& geom, const Meeting& bodies) const
+{
+	const State &moving1 = moving(bodies.body1, scene), &moving2 = moving(bodies.body2, scene);
+	const Vector3r arm1 = geom.contactPoint - bodies.position1 + bodies.body1.state->pos - moving1.pos;
+	const Vector3r arm2 = geom.contactPoint - bodies.position2 + bodies.body2.state->pos - moving2.pos;
+	return hm::reduced(massAgainst(moving1, arm1, geom.normal), massAgainst(moving2, arm2, geom.normal));
+}
+
 Law2_ScGeom_CurvaturePhys_HertzMindlin::Radii
 Law2_ScGeom_CurvaturePhys_HertzMindlin::radii(const ScGeom& geom, const Meeting& bodies) const
 {
@@ -138,7 +155,7 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::radii(const ScGeom& geom, const Meeting&
 Law2_ScGeom_CurvaturePhys_HertzMindlin::Response Law2_ScGeom_CurvaturePhys_HertzMindlin::response(
         const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const
 {
-	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.effectiveMass };
+	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };
 	const hm::Friction friction { phys.tangensOfFrictionAngle, phys.stiffnessRatio, phys.tangentialDamping, phys.effectiveMass };
 	const Vector3r displacement = turned(geom, phys.shearDisplacement) + bodies.sliding * scene->dt;
 	const Real inertia = hm::reduced(smallestInertiaOf(moving(bodies.body1, scene)), smallestInertiaOf(moving(bodies.body2, scene)));

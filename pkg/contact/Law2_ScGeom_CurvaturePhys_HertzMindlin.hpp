@@ -46,6 +46,7 @@ private:
 	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, StiffnessChange, energyCount };
 
 	Meeting meeting(ScGeom& geom, const SuperquadricGeom* ours, const Interaction& interaction) const;
+	Real normalMass(const ScGeom& geom, const Meeting& bodies) const;
 	Radii radii(const ScGeom& geom, const Meeting& bodies) const;
 	Response response(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
 	void apply(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies) const;
@@ -72,6 +73,9 @@ private:
 		"with the overlap. Kinetic energy plus these is constant up to the error of the time integration.",
 		((Real, overlapLimit, 0.1, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 and 1 [-]. It bounds the radius of curvature: at least that "
 			"overlap (Hertz needs an overlap below the radius); and at most so large that at that overlap the disc of contact is as wide as the section of the body across the normal."))
+		((bool, leverArms, true, , "Whether $m^*$ of the normal damping (8) counts that an off-centre push also turns the bodies: $1/m^* = \\sum 1/m_i + \\mathbf{l}_i\\cdot I_i^{-1}\\mathbf{l}_i$ "
+			"with the levers $\\mathbf{l}_i=(\\mathbf{x}_c-\\mathbf{x}_i)\\times\\mathbf{n}$. Then $C_n$ sets the restitution whatever the lever, which the paper's own check, (15) and (16) with the restitution 0.85 at every angle, "
+			"supposes. False: the paper's $m_1m_2/(m_1+m_2)$ to the letter, which damps eccentric impacts more. No difference for spheres."))
 		, acceptedLimit = overlapLimit;
 	);
 	// clang-format on

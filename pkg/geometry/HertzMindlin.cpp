@@ -39,6 +39,14 @@ double reduced(double mass1, double mass2)
 	return inverse > 0 ? 1 / inverse : 0;
 }
 
+double massAgainstPush(double mass, const Vector3& lever, const Vector3& principalInertia)
+{
+	double inverse = 1 / mass;
+	for (int axis = 0; axis < 3; ++axis)
+		if (principalInertia[axis] > 0) inverse += lever[axis] * lever[axis] / principalInertia[axis];
+	return 1 / inverse;
+}
+
 double boundedCurvature(const Side& side, double overlapLimit)
 {
 	if (side.smallestHalfSize == 0) return side.curvature;
