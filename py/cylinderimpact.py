@@ -11,7 +11,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat
 
 from .bodies import superquadric
-from .engines import engine, superquadricEngines
+from .engines import superquadricEngines
 
 # Table 1 of the paper.
 DIAMETER = 8e-3  # [m]
@@ -51,7 +51,8 @@ def idealLever(angle):
 def impact(angle, n1=8.0, damping=NORMAL_DAMPING):
     """Let the cylinder of exponents (n1, 2) hit the plane at `angle` [degrees]; clears the scene.
 
-    :returns: the measured Rebound, and the closed form's for the particle's real lever arm, mass and inertia
+    :returns: the measured Rebound, and the closed form's for the particle's real lever arm, mass and inertia. Flat on its end or
+        side (0 and 90 degrees) the lever is zero by symmetry; computed there, it would be one of rounding.
     """
     O.reset()
     material = O.materials.append(CurvatureMat(young=YOUNG, poisson=POISSON, density=DENSITY, frictionAngle=0.0, normalDamping=damping))
@@ -67,7 +68,8 @@ def impact(angle, n1=8.0, damping=NORMAL_DAMPING):
     _runFirstContact(wall, particle)
     # A force at x = lever turns the body by -y for a positive lever: the far side goes up.
     measured = Rebound(body.state.vel[2], -body.state.angVel[1])
-    return measured, closedForm(lowest[0], body.state.mass, body.state.inertia[1])
+    lever = 0.0 if angle in (0, 90) else lowest[0]
+    return measured, closedForm(lever, body.state.mass, body.state.inertia[1])
 
 
 def _runFirstContact(wall, particle, limit=20000):
