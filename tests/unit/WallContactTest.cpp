@@ -139,18 +139,18 @@ TEST(WallContact, TriangleIsContinuousOverFaceEdgeAndVertex)
 {
 	const Triangle v { Vector3(0, 0, 0), Vector3(2, 0, 0), Vector3(0, 2, 0) };
 	RandomBodies random(104);
-	for (int i = 0; i < 20; ++i) {
+	for (int i = 0; i < 8; ++i) {
 		const Shape shape(Vector3(random.uniform(0.4, 1), random.uniform(0.4, 1), random.uniform(0.4, 1)), random.uniform(2, 4), random.uniform(2, 4));
 		const Matrix3 rotation = random.rotation();
 		Contact last;
-		for (int step = 0; step <= 40000; ++step) {
+		for (int step = 0; step <= 20000; ++step) {
 			// From over the face out across an edge (y < 0), then along it around the vertex at the origin.
-			const double s = 1e-4 * step;
+			const double s = 2e-4 * step;
 			const Vector3 path = s < 2 ? Vector3(0.6, 0.6 - 0.4 * s, 0.25) : Vector3(0.6 - 0.4 * (s - 2), -0.2, 0.25);
 			const Contact contact = contactTriangle(Placement { shape, path, rotation }, v);
 			if (!contact.overlapping()) break;
 			if (step > 0) {
-				EXPECT_NEAR(contact.overlap, last.overlap, 2e-3);
+				EXPECT_NEAR(contact.overlap, last.overlap, 1e-3);
 				EXPECT_LT((contact.normal - last.normal).norm(), 2e-2);
 				EXPECT_LT((contact.point - last.point).norm(), 2e-2);
 			}
@@ -227,7 +227,7 @@ TEST(WallContact, GrainsFarSmallerThanTheTriangle)
 		const Vector3 onEdge = v[0] + along * (v[1] - v[0]), outwards = ((v[1] - v[0]).cross(v[2] - v[0])).cross(v[1] - v[0]).normalized();
 		const Shape shape = random.shape(1e-4);
 		const Matrix3 rotation = random.rotation();
-		const Placement body { shape, onEdge - outwards * 0.9999 * 1.0 * shape.smallestHalfSize(), rotation };
+		const Placement body { shape, onEdge - outwards * 0.9999 * shape.smallestHalfSize(), rotation };
 		EXPECT_EQ(contactTriangle(body, v).status, Status::Overlap);
 		const Placement far { shape, onEdge - outwards * 1.0001 * shape.boundingRadius(), rotation };
 		EXPECT_EQ(contactTriangle(far, v).status, Status::Apart);
