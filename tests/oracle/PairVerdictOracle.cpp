@@ -26,6 +26,7 @@ namespace {
 
 constexpr double rounding = 2e-14;
 constexpr double oracleError = 1e-12;
+constexpr double deepest = 1e-10;
 
 int pairsWanted()
 {
@@ -147,7 +148,9 @@ void expectRight(const Contact& contact, double t, double error)
 	if (contact.status == Status::Overlap) { EXPECT_LT(t, 1 + error); }
 	if (contact.status == Status::Apart) { EXPECT_GT(t, 1 - error); }
 	EXPECT_LE(contact.lower, t * (1 + error));
-	if (contact.status != Status::Apart) { EXPECT_GE(contact.upper, t * (1 - error)); }
+	if (contact.status == Status::Apart) return;
+	EXPECT_GE(contact.upper, t * (1 - error));
+	EXPECT_LE(contact.upper, t * (1 + deepest)); // not only a common point but the deepest one
 }
 
 } // namespace
