@@ -20,7 +20,7 @@ struct Contact {
 	Vector3 normal = Vector3::Zero(); // unit, body 1 to body 2; the separating direction when Apart
 	double overlap = 0; // [m]; meaningful only for Overlap and Touching
 	Vector3 surface1 = Vector3::Zero(), surface2 = Vector3::Zero(); // X_i and X_j [m]
-	double curvature1 = 0, curvature2 = 0; // mean curvature there, 0 for a wall [1/m]
+	double curvature1 = 0, curvature2 = 0; // mean curvature where the ray from each centre through X0 meets the surface, 0 for a wall [1/m]
 	double lower = 0, upper = 0; // bounds of t*; lower stays 0 where an overlap needs none
 
 	Vector3 middle() const { return 0.5 * (surface1 + surface2); }

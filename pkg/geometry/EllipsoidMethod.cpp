@@ -8,18 +8,21 @@ namespace superquadric {
 
 namespace {
 
+	// Kept by its axes rather than by the matrix axes * axes': the solution lies in a narrow valley of the two gauges, where the squared
+	// matrix would lose its short axis to rounding, and with it the truth of the bounds.
 	struct Ellipsoid {
 		Vector3 centre;
-		Matrix3 matrix; // { x : (x - centre)' matrix^-1 (x - centre) <= 1 }
+		Matrix3 axes; // { centre + axes * u : |u| <= 1 }
 
-		// Keeps the part where gradient.(x - centre) <= -depth * reach, with reach the half width along the gradient.
-		void cut(const Vector3& gradient, double reach, double depth)
+		// Keeps the part where gradient.(x - centre) <= -depth * |axes' gradient|.
+		void cut(const Vector3& gradient, double depth)
 		{
 			constexpr double n = 3;
-			const Vector3 b = matrix * gradient / reach;
+			const Vector3 along = (axes.transpose() * gradient).normalized();
+			const Vector3 b = axes * along;
 			centre -= (1 + n * depth) / (n + 1) * b;
 			const double shrink = 2 * (1 + n * depth) / ((n + 1) * (1 + depth));
-			matrix = (1 - depth * depth) * n * n / (n * n - 1) * (matrix - shrink * b * b.transpose());
+			axes = n * std::sqrt((1 - depth * depth) / (n * n - 1)) * (axes - (1 - std::sqrt(1 - shrink)) * b * along.transpose());
 		}
 	};
 
@@ -27,8 +30,7 @@ namespace {
 	Ellipsoid enclosing(const PairProblem& problem, double upper)
 	{
 		const Placement& body = problem.centre1().isZero(0) ? problem.body1() : problem.body2();
-		const Vector3 squares = 3 * upper * upper * body.shape.halfSizes().cwiseAbs2();
-		return { Vector3::Zero(), body.rotation * squares.asDiagonal() * body.rotation.transpose() };
+		return { Vector3::Zero(), body.rotation * (std::sqrt(3.0) * upper * body.shape.halfSizes()).asDiagonal() };
 	}
 
 } // namespace
@@ -46,12 +48,12 @@ ScalingBounds minimiseScaling(const PairProblem& problem)
 			best.upper = active.value;
 			best.x = x;
 		}
-		const double reach = std::sqrt(active.gradient.dot(ellipsoid.matrix * active.gradient));
+		const double reach = (ellipsoid.axes.transpose() * active.gradient).norm();
 		if (!(reach > 0)) break;
 		best.lower = std::max(best.lower, active.value - reach);
 		const double depth = (active.value - best.upper) / reach;
 		if (depth >= 1) break;
-		ellipsoid.cut(active.gradient, reach, depth);
+		ellipsoid.cut(active.gradient, depth);
 	}
 	return best;
 }

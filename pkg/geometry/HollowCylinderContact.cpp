@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <vector>
 
 namespace superquadric {
 
@@ -28,32 +27,36 @@ namespace {
 			second_ = axis.cross(first_);
 		}
 
-		// Searches the directions within `window` of the centre's [rad].
-		void search(double window)
+		// Searches the directions within `window` of the centre's [rad]; done, too, once nothing reaches beyond `enough`.
+		void search(double window, double enough)
 		{
-			std::vector<Sector> open;
-			constexpr int parts = 4;
-			for (int i = 0; i < parts; ++i)
-				open.push_back(sector(sample(window * (2.0 * i / parts - 1)), sample(window * (2.0 * (i + 1) / parts - 1))));
+			note(body_.supportPoint(first_));
+			ascend();
+			for (int i = 0; i < firstSectors; ++i)
+				add(sample(window * (2.0 * i / firstSectors - 1)), sample(window * (2.0 * (i + 1) / firstSectors - 1)));
 			const double gap = tolerances::wallGap * body_.shape.boundingRadius();
-			for (int i = 0; i < tolerances::wallBisections && !open.empty(); ++i) {
-				const auto widest = std::max_element(open.begin(), open.end(), [](const Sector& a, const Sector& b) { return a.bound < b.bound; });
-				if (widest->bound <= farthest_ + gap) break;
-				const Sector split = *widest;
-				const Sample middle = sample(0.5 * (split.from.angle + split.to.angle));
-				*widest = sector(split.from, middle);
-				open.push_back(sector(middle, split.to));
+			while (count_ < sectors_.size()) {
+				Sector* widest = std::max_element(sectors_.begin(), sectors_.begin() + count_, [](const Sector& a, const Sector& b) { return a.bound < b.bound; });
+				if (widest->bound <= std::max(enough, farthest_ + gap)) break;
+				const Sector whole = *widest;
+				const Sample middle = sample(whole.split);
+				*widest = sector(whole.from, middle);
+				add(middle, whole.to);
 			}
-			bound_ = farthest_;
-			for (const Sector& s : open)
-				bound_ = std::max(bound_, s.bound);
 			ascend();
 		}
 
 		const Vector3& point() const { return point_; } // from the body's centre
 		Vector3 direction() const { return across(centre_ + point_).normalized(); }
 		double farthest() const { return farthest_; }
-		double bound() const { return std::max(bound_, farthest_); }
+		// No point in the searched directions lies farther out.
+		double bound() const
+		{
+			double result = farthest_;
+			for (size_t i = 0; i < count_; ++i)
+				result = std::max(result, sectors_[i].bound);
+			return result;
+		}
 
 	private:
 		struct Sample {
@@ -61,8 +64,12 @@ namespace {
 		};
 		struct Sector {
 			Sample from, to;
-			double bound;
+			double bound; // no point of the body between them lies farther out
+			double split; // where to divide the sector next
 		};
+		static constexpr int firstSectors = 4;
+
+		void add(const Sample& from, const Sample& to) { sectors_[count_++] = sector(from, to); }
 
 		Vector3 across(const Vector3& v) const { return v - v.dot(axis_) * axis_; }
 		Vector3 directionAt(double angle) const { return std::cos(angle) * first_ + std::sin(angle) * second_; }
@@ -86,11 +93,16 @@ namespace {
 		static Sector sector(const Sample& from, const Sample& to)
 		{
 			const double angle = to.angle - from.angle, cosine = std::cos(angle), sine = std::sin(angle);
-			double bound = std::max(from.reach, to.reach);
-			// The vertex of the two support lines counts when it lies between their directions.
-			if (to.reach > from.reach * cosine && from.reach > to.reach * cosine)
-				bound = std::sqrt(from.reach * from.reach + to.reach * to.reach - 2 * from.reach * to.reach * cosine) / sine;
-			return { from, to, bound };
+			Sector result { from, to, std::max(from.reach, to.reach), 0.5 * (from.angle + to.angle) };
+			// The vertex of the two support lines counts when it lies between their directions. The sector is divided there: when the
+			// body has an edge in it, that is where the edge is.
+			const double x = from.reach, y = (to.reach - from.reach * cosine) / sine;
+			if (y > 0 && from.reach > to.reach * cosine) {
+				result.bound = std::hypot(x, y);
+				const double margin = tolerances::wallMargin * angle;
+				result.split = from.angle + std::clamp(std::atan2(y, x), margin, angle - margin);
+			}
+			return result;
 		}
 
 		// The support point along a point's own direction is never nearer to the axis: repeated, this climbs to the maximum.
@@ -103,7 +115,9 @@ namespace {
 		const Placement& body_;
 		Vector3 axis_, centre_, first_, second_;
 		Vector3 point_ = Vector3::Zero();
-		double farthest_ = -1, bound_ = 0;
+		double farthest_ = -1;
+		std::array<Sector, tolerances::wallSectors> sectors_;
+		size_t count_ = 0;
 	};
 
 } // namespace
@@ -122,7 +136,7 @@ Contact contactHollowCylinder(const Placement& body, const Vector3& origin, cons
 	}
 	FarthestPoint search(body, origin, axis);
 	// Only directions in which the bounding sphere reaches the wall can hold the contact.
-	search.search(clear > 0 ? std::acos(std::min(1.0, clear / centre)) : pi);
+	search.search(clear > 0 ? std::acos(std::min(1.0, clear / centre)) : pi, radius);
 	contact.normal = search.direction();
 	contact.lower = radius / search.bound();
 	contact.upper = radius / search.farthest();

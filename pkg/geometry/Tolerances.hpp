@@ -54,10 +54,12 @@ constexpr int surfaceIterations = 60;
 constexpr double edgeStep = 1e-15;
 constexpr int edgeIterations = 200;
 
-// No point of a body lies farther out from a hollow cylinder's axis than the one reported, by more than this part of the body's
-// bounding radius. The bound improves fourfold with each bisection of the angle; a flat side along the wall needs the most.
+// The deepest point in a hollow cylinder is known once no other can lie farther out by more than this part of the body's bounding
+// radius. Sectors of the angle are divided until then, or until there are so many; a round body on the axis, all of whose
+// points are equally far out, needs them all. A division keeps this part of the sector clear of its ends.
 constexpr double wallGap = 1e-10;
-constexpr int wallBisections = 1000;
+constexpr int wallSectors = 96;
+constexpr double wallMargin = 0.02;
 constexpr int wallAscents = 100;
 
 } // namespace superquadric::tolerances
