@@ -92,8 +92,8 @@ suite_lists() {
   fi
 }
 
-# fetch_headers SUITE VERSION: YADE's headers from the source package of a version, to $cache/yade-VERSION
-# (VERSION is Debian's; nothing of the source is built).
+# fetch_headers SUITE VERSION: set `headers` to a folder with YADE's headers, taken from the source package
+# of a version (Debian's number; nothing of the source is built).
 fetch_headers() {
   local version=$2 target=$cache/yade-$2 work=$cache/yade-$2.tmp
   headers=$target
@@ -105,7 +105,7 @@ fetch_headers() {
   (cd "$work" && apt-get "${aptOptions[@]}" -qq source --tar-only --download-only "yade=$version" >&2) ||
     die "apt has no source of YADE $version (a binary of another version is installed?)." \
       "Unpack it yourself and name the folder in the variable YADE_SOURCE."
-  tar -x -C "$work/tree" --strip-components=1 -f "$work"/yade_*.orig.tar.* --wildcards '*.hpp' '*.h' '*.ipp' '*/RELEASE'
+  "${enter[@]}" tar -x -C "$work/tree" --strip-components=1 -f "$work"/yade_*.orig.tar.* --wildcards '*.hpp' '*.h' '*.ipp' '*/RELEASE'
   mv "$work/tree" "$target"
   rm -rf "$work"
 }
