@@ -84,9 +84,10 @@ def addPair(corner, shapes, material, speed, spin, generator):
     The surface point of each body that lies farthest along a random direction, for the second body against it, faces the
     other's across a narrow gap. A plane between the two proves that the bodies do not overlap.
     """
-    bodies = [sq.superquadric(corner, *shape, material=material, orientation=sq.randomOrientation(generator)) for shape in shapes]
+    bodies = [sq.superquadric(corner, *shape, material=material, orientation=sq.randomOrientation(generator))
+              for shape in shapes]
     along = randomDirection(generator)
-    farthest = [body.state.ori * body.shape.supportPoint(body.state.ori.conjugate() * (sign * along)) for body, sign in zip(bodies, (1, -1))]
+    farthest = [farthestPoint(body, direction) for body, direction in zip(bodies, (along, -along))]
     bodies[1].state.pos = bodies[1].state.refPos = corner + farthest[0] - farthest[1] + GAP * along
     approach = speed * (along + generator.random() * randomDirection(generator).cross(along))
     masses = [body.state.mass for body in bodies]
@@ -97,7 +98,13 @@ def addPair(corner, shapes, material, speed, spin, generator):
     return Pair(*O.bodies.append(bodies))
 
 
-def makePairs(number, seed, timeStepFraction, randomShape=randomShape, material=lambda generator: {}, speed=(0.2, 2), spin=20):
+def farthestPoint(body, direction):
+    """From the body's centre [m]."""
+    return body.state.ori * body.shape.supportPoint(body.state.ori.conjugate() * direction)
+
+
+def makePairs(number, seed, timeStepFraction, randomShape=randomShape, material=lambda generator: {},
+              speed=(0.2, 2), spin=20):
     """A new scene of `number` pairs on a wide grid, ready to step.
 
     :param timeStepFraction: time step over the critical one (14)

@@ -4,14 +4,13 @@ Newton's third law with one common contact point conserves momentum and angular 
 matter: the normal force K_n d^(3/2) of eq. (6) is not the gradient of a potential when K_n follows the curvature, so an
 undamped collision gains or loses
 
-    stiffness:  the integral of 2/5 d^(5/2) dK_n over the contact, which is zero only if K_n is constant (or returns the way
-                it came);
+    stiffness:  the integral of 2/5 d^(5/2) dK_n over the contact, which is zero only if K_n is constant, or returns the
+                way it came;
     geometry:   the integral of F (dd/dt - v_n) dt: the normal of (2)(3) is that of X0, not of the surface points, so the
                 overlap's rate differs from the approach of the bodies in the second order of the overlap;
     time step:  the rest, which vanishes with dt.
 
-The first is summed here from what the contact shows in each step, the last is what a finer step changes, and the second
-is summed from the overlap's rate and the approach. The distributions go to collision_energy.json in the folder that the
+The first two are summed here from what the contact shows in each step. The distributions go to collision_energy.json in the folder that the
 environment variable SUPERQUADRIC_RESULTS names, else in pytest's temporary one.
 """
 import json
@@ -55,9 +54,9 @@ def relativeChange(before, after):
 
 
 def roughCollisions(timeStepFraction, number=200):
-    """Collisions with friction, damping and rolling friction: largest changes of momentum and angular momentum, and the median
-    loss of energy. Slow ones, which turn little while in contact: the integrator's error is small."""
-    pairs = makePairs(number, seed=7, timeStepFraction=timeStepFraction, material=roughMaterial, speed=(0.05, 0.2), spin=2)
+    """Collisions with friction, damping and rolling friction: largest changes of momentum and angular momentum, and the
+    median loss of energy. Slow ones, which turn little while in contact: the integrator's error is small."""
+    pairs = makePairs(number, 7, timeStepFraction, material=roughMaterial, speed=(0.05, 0.2), spin=2)
     conservation = Conservation(pairs)
     collide(pairs, DURATION, conservation)
     assert len(conservation.changes) == number
@@ -67,7 +66,8 @@ def roughCollisions(timeStepFraction, number=200):
 
 def test_momentumAndAngularMomentumAreConserved():
     momentum, angular, lostEnergy = roughCollisions(0.005)
-    print(f'largest relative change: momentum {momentum:.1e}, angular momentum {angular:.1e}; median loss of energy {lostEnergy:.0%}')
+    print(f'largest relative change: momentum {momentum:.1e}, angular momentum {angular:.1e}; '
+          f'median loss of energy {lostEnergy:.0%}')
     assert lostEnergy > 0.1  # else the collisions would have been smooth
     assert momentum < 1e-13
     assert angular < 1e-10
@@ -136,7 +136,8 @@ def energyErrors(tmp_path_factory):
     """Relative errors of the energy in 1,000 random collisions at the advised time step, and where they come from."""
     work = ForceWork()
     pairs, total = undamped(0.1, 1000, work=work)
-    stiffness, geometry = (np.array([part[pair.ids] / pair.initialEnergy for pair in pairs]) for part in (work.ofStiffness, work.ofGeometry))
+    stiffness, geometry = (np.array([part[pair.ids] / pair.initialEnergy for pair in pairs])
+                           for part in (work.ofStiffness, work.ofGeometry))
     errors = {'random pairs': total, 'of which stiffness': stiffness, 'of which geometry': geometry,
               'of which the rest': total - stiffness - geometry,
               'random pairs, change with dt/2': undamped(0.05, 1000)[1] - total,
