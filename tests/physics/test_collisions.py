@@ -10,8 +10,8 @@ undamped collision gains or loses
                 overlap's rate differs from the approach of the bodies in the second order of the overlap;
     time step:  the rest, which vanishes with dt.
 
-The first two are summed here from what the contact shows in each step. The distributions go to collision_energy.json in the folder that the
-environment variable SUPERQUADRIC_RESULTS names, else in pytest's temporary one.
+The first two are summed here from what the contact shows in each step. The distributions go to collision_energy.json in
+the folder that the environment variable SUPERQUADRIC_RESULTS names, else in pytest's temporary one.
 """
 import json
 import os
