@@ -22,8 +22,9 @@ namespace {
 		        , axis_(axis)
 		{
 			centre_ = across(body.position - origin);
-			const double distance = centre_.norm();
-			first_ = distance > 0 ? Vector3(centre_ / distance) : axis.unitOrthogonal();
+			// On the axis the centre's direction is made of rounding and need not lie across it.
+			const Vector3 outwards = across(centre_.normalized());
+			first_ = outwards.squaredNorm() > 0.5 ? outwards.normalized() : axis.unitOrthogonal();
 			second_ = axis.cross(first_);
 		}
 

@@ -58,8 +58,8 @@ constexpr int edgeIterations = 200;
 // radius. Sectors of the angle are divided until then, or until there are so many; a round body on the axis, all of whose
 // points are equally far out, needs them all. A division keeps this part of the sector clear of its ends.
 constexpr double wallGap = 1e-10;
-constexpr int wallSectors = 96;
-constexpr double wallMargin = 0.02;
+constexpr int wallSectors = 256;
+constexpr double wallMargin = 0.2;
 constexpr int wallAscents = 100;
 
 } // namespace superquadric::tolerances
