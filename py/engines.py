@@ -43,7 +43,7 @@ def _geometryFunctors():
         Ig2_Wall_Superquadric_SuperquadricGeom(), Ig2_Facet_Superquadric_SuperquadricGeom(),
         Ig2_HollowCylinder_Superquadric_SuperquadricGeom(), Ig2_HollowCylinder_Sphere_SuperquadricGeom(),
         Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
-        Ig2_Wall_Sphere_ScGeom(noRatch=False, hertzian=True), Ig2_Facet_Sphere_ScGeom(hertzian=True),
+        Ig2_Wall_Sphere_ScGeom(noRatch=False), Ig2_Facet_Sphere_ScGeom(),
     ]
 
 

@@ -17,11 +17,12 @@ PULSE_THRESHOLD = 0.1        # of the peak: the pulse lasts as long as the force
 QUIET_THRESHOLD = 0.05       # of the peak: the impact is over when the force has stayed below
 QUIET_TIME = 4e-3            # s for which it must have stayed below
 
-Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse')
+Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse lastTime')
 Pulse.__doc__ = """A pulse of the force on the base, what it bore before taken off.
 
-peak [N] at peakTime [s]; start, end [s]: first and last moment above PULSE_THRESHOLD of the peak;
-duration = end - start [s]; impulse [N s] between the two. Times count from the start of the record.
+peak [N] at peakTime [s]; start, end [s]: the time around the peak in which the force is above PULSE_THRESHOLD of
+it without a break; duration = end - start [s]; impulse [N s] between the two; lastTime [s]: when the force was above
+that threshold for the last time, later than `end` if the bed or the impactor bounces. Times count from the record's start.
 """
 
 
@@ -107,10 +108,12 @@ def pulse(times, forces, staticForce):
         raise ValueError('times = []: nothing was recorded')
     extra = [force - staticForce for force in forces]
     top = max(range(len(extra)), key=extra.__getitem__)
-    above = [i for i, force in enumerate(extra) if force >= PULSE_THRESHOLD * extra[top]]
-    first, last = above[0], above[-1]
+    threshold = PULSE_THRESHOLD * extra[top]
+    first = next((i + 1 for i in range(top - 1, -1, -1) if extra[i] < threshold), 0)
+    last = next((i - 1 for i in range(top + 1, len(extra)) if extra[i] < threshold), len(extra) - 1)
+    loud = max(i for i in range(len(extra)) if extra[i] >= threshold)
     impulse = sum(0.5 * (extra[i] + extra[i + 1]) * (times[i + 1] - times[i]) for i in range(first, last))
-    return Pulse(extra[top], times[top], times[first], times[last], times[last] - times[first], impulse)
+    return Pulse(extra[top], times[top], times[first], times[last], times[last] - times[first], impulse, times[loud])
 
 
 class EndOfImpact:

@@ -6,15 +6,15 @@ import sys
 import time
 
 from yade import O
-from yade.wrapper import CurvatureMat, NewtonIntegrator
+from yade.wrapper import CurvatureMat
 
 from . import report, results, study
 from .bedgeometry import measureBed
 from .container import Container, cylinderContainer, setHeight
-from .engines import criticalTimeStep, engine, superquadricEngines
+from .engines import criticalTimeStep, superquadricEngines
 from .filling import rainFilling
 from .impact import Recorder, addImpactor, bareImpact, recordImpact, supportForce
-from .settling import RAMP_DAMPING, RAMP_STAGES, RAMP_STEPS, RestCriterion, settle, stiffen
+from .settling import RestCriterion, rampSteps, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
@@ -101,7 +101,7 @@ class ImpactRun:
         soft = self.parameters['softening'] > 1
         done = self.STAGES[:self.STAGES.index(self.state['stage'])]
         steps = {'pour': max(self.state['pourTime'] - O.time, 0) / O.dt if 'pour' not in done else 0,
-                 'stiffen': RAMP_STAGES * RAMP_STEPS if soft else 0, 'rest': 1200, 'static': STATIC_STEPS,
+                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'static': STATIC_STEPS,
                  'impact': 0.012 / self._timeStep()}
         return {stage: count for stage, count in steps.items() if stage not in done}
 
@@ -129,7 +129,7 @@ class ImpactRun:
         O.dt = p['timeStepFraction'] * criticalTimeStep()
         top = max(O.bodies[i].state.pos[2] for i in ids)
         self.state.update(container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,
-                          pourTime=math.sqrt(2 * top / p['gravity']) + 0.35, settled={})
+                          pourTime=math.sqrt(2 * top / p['gravity']) + 0.3, settled={})
 
     def _criterion(self):
         return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds))
@@ -148,14 +148,12 @@ class ImpactRun:
         self.state['stage'], self.state['restStart'] = 'rest', O.time
 
     def _rest(self):
-        engine(NewtonIntegrator).damping = RAMP_DAMPING
         criterion = self._criterion()
         limit = 10000 * O.dt
         left = self.state.setdefault('restStart', O.time) + limit - O.time
         self.state['settled']['true'] = left > 0 and settle(self.stepper, criterion, left)
         self._say(f'at rest: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, support '
                   f'{criterion.supportedWeight():.4f} of the weight')
-        engine(NewtonIntegrator).damping = 0.0
         self.state['stage'] = 'static'
 
     def _static(self):

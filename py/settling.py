@@ -16,11 +16,13 @@ from .engines import criticalTimeStep, engine
 
 CHECK_STEPS = 150      # time steps between two looks at the criterion
 CHECKS_IN_A_ROW = 4    # the criterion must hold as often, so that a turning point of the motion does not count
-QUIET = 1e-5           # kinetic energy per particle over m g d (d: diameter of the sphere of equal volume)
-SUPPORT = 0.01         # distance of base and walls' vertical force from the particles' weight, over the weight
+QUIET = 5e-6           # at rest: kinetic energy per particle over m g d (d: diameter of the sphere of equal volume),
+SUPPORT = 5e-3         # and distance of the supports' vertical force from the weight, over the weight
+CALM = 1e-4            # kinetic energy, as above, below which the packing is decided and damping may help
 RAMP_STAGES = 40       # steps of stiffness between soft and true
-RAMP_STEPS = 40        # time steps in each
-RAMP_DAMPING = 0.3     # non-viscous damping during the ramp and the second settling
+RAMP_STEPS = 25        # time steps in the first of them; they grow with the cube root of the stiffness, see stiffen
+RAMP_DAMPING = 0.5     # non-viscous damping during the ramp
+DAMPING = 0.3          # the same in a calm bed
 
 
 class RestCriterion:
@@ -65,17 +67,24 @@ def _meanDiameter(ids):
 
 
 def settle(stepper, criterion, maxTime):
-    """Step until the criterion holds, or for `maxTime` [s] of simulated time at most.
+    """Step until the criterion holds, or for `maxTime` [s] of simulated time at most. As soon as the kinetic energy
+    per particle is below CALM m g d, YADE's non-viscous damping helps, until the end.
 
     :param stepper: `Stepper`
     :returns: whether the bed came to rest
     """
-    end = O.time + checks.positive('maxTime', maxTime)
-    while O.time < end:
-        stepper.run(CHECK_STEPS)
-        if criterion.check():
-            return True
-    return False
+    newton, end = engine(NewtonIntegrator), O.time + checks.positive('maxTime', maxTime)
+    before = newton.damping
+    try:
+        while O.time < end:
+            stepper.run(CHECK_STEPS)
+            if criterion.check():
+                return True
+            if criterion.kineticEnergy() < CALM:
+                newton.damping = DAMPING
+        return False
+    finally:
+        newton.damping = before
 
 
 def scaleStiffness(factor):
@@ -100,9 +109,13 @@ def scaleStiffness(factor):
                           'shearDisplacement': shrink * phys.shearDisplacement})
 
 
-def rampFactor(softening):
-    """Factor by which the stiffness rises in one of RAMP_STAGES stages, to make good for `softening` at the end."""
-    return checks.positive('softening', softening) ** (1 / RAMP_STAGES)
+def rampSteps(softening, done=0):
+    """Time steps of each stage of `stiffen` that is left after `done` stages.
+
+    Overlaps go with E^(-2/3), time steps with E^(-1/2): so many steps let the bed swell ever more slowly, as E^(-1/2).
+    With a constant number it would keep its speed to the end, and hop.
+    """
+    return [round(RAMP_STEPS * softening ** (stage / (3 * RAMP_STAGES))) for stage in range(done, RAMP_STAGES)]
 
 
 def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda stage: None):
@@ -112,9 +125,14 @@ def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda st
     :param done: stages already done, for a run that is taken up again
     :param afterScaling: called with the number of stages done, before their steps are run
     """
-    engine(NewtonIntegrator).damping = RAMP_DAMPING
-    for stage in range(done, RAMP_STAGES):
-        scaleStiffness(rampFactor(softening))
-        O.dt = timeStepFraction * criticalTimeStep()
-        afterScaling(stage + 1)
-        stepper.run(RAMP_STEPS)
+    factor = checks.positive('softening', softening) ** (1 / RAMP_STAGES)
+    newton = engine(NewtonIntegrator)
+    before, newton.damping = newton.damping, RAMP_DAMPING
+    try:
+        for stage, steps in enumerate(rampSteps(softening, done), done + 1):
+            scaleStiffness(factor)
+            O.dt = timeStepFraction * criticalTimeStep()
+            afterScaling(stage)
+            stepper.run(steps)
+    finally:
+        newton.damping = before

@@ -1,0 +1,153 @@
+"""The impact study as a whole, on a small bed: forces in balance, same seed same record, stop and resume."""
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+from yade import O
+from yade.wrapper import CurvatureMat
+
+import yade.superquadric as sq
+from yade.superquadric import results, study
+from yade.superquadric.impact import supportForce, surfaceSpeed
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03}
+
+
+def run(output, **parameters):
+    return sq.ImpactRun.begin({**SMALL, **parameters}, str(output), stream=None).run()
+
+
+@pytest.fixture(scope='module')
+def small(tmp_path_factory):
+    output = tmp_path_factory.mktemp('small')
+    return output, run(output)
+
+
+def record(output):
+    columns, rows = results.readCsv(str(output / 'force.csv'))
+    return {name: [row[k] for row in rows] for k, name in enumerate(columns)}
+
+
+def test_filesAreThere(small):
+    output, _ = small
+    assert sorted(os.listdir(output)) == ['after.npz', 'bed.png', 'before.npz', 'force.csv', 'force.png', 'summary.json']
+    for name in ('bed.png', 'force.png'):
+        assert os.path.getsize(output / name) > 10000
+
+
+def test_bedIsAtRest(small):
+    """Also in the 200 steps before the impact, without numerical damping."""
+    bed = small[1]['bed']
+    assert bed['atRest'] == {'soft': True, 'true': True}
+    assert bed['staticForce'] + bed['staticWallForce'] == pytest.approx(bed['weight'], rel=1e-2)
+
+
+def test_baseAndWallCarryTheWeight():
+    """The base's mean force on a settled bed is the bed's weight less what the wall carries, within 0.1 %."""
+    O.reset()
+    material = CurvatureMat(young=1e7, poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1,
+                            tangentialDamping=0.1, rollingFriction=0.002)
+    O.materials.append(material)
+    container = sq.cylinderContainer(0.025, 0.2, material)
+    ids, container = sq.rainFilling([sq.particleShape('cube')] * 60, container, material, seed=4)
+    O.engines = sq.superquadricEngines()
+    O.dt = 0.1 * sq.criticalTimeStep()
+    stepper, base, wall = sq.Stepper(stream=None), [], []
+    assert sq.settle(stepper, sq.RestCriterion(ids, (container.baseId, *container.sideIds), 1e-7, 1e-3), maxTime=1.5)
+    stepper.run(500, lambda: (base.append(supportForce([container.baseId])), wall.append(supportForce(container.sideIds))))
+    weight = 9.81 * sum(O.bodies[i].state.mass for i in ids)
+    assert sum(base) / len(base) == pytest.approx(weight - sum(wall) / len(wall), rel=1e-3)
+    assert abs(sum(wall) / len(wall)) > 5e-3 * weight  # else the wall's share would not be tested
+
+
+def test_summaryFollowsFromTheRecord(small):
+    output, summary = small
+    assert results.readJson(str(output / 'summary.json')) == summary
+    assert summary['parameters'] == study.checked(SMALL)
+    force = [f - summary['bed']['staticForce'] for f in record(output)['baseForce']]
+    assert summary['impact']['peak'] == max(force)
+    assert summary['bufferingRatio'] == pytest.approx(1 - max(force) / summary['P0'])
+    assert summary['bed']['thickness'] == pytest.approx(0.015, rel=0.2)
+
+
+def test_momentumBalanceOfTheImpactor(small):
+    """The impulse of the recorded contact force and of gravity is the change of the impactor's momentum."""
+    output, summary = small
+    columns, mass, dt = record(output), summary['impactor']['mass'], summary['timeStep']['impact']
+    impulse = sum(columns['impactorForce'][1:]) * dt - mass * 9.81 * dt * (len(columns['time']) - 1)
+    change = mass * (columns['impactorVelocity'][-1] - columns['impactorVelocity'][0])
+    assert impulse == pytest.approx(change, rel=1e-9)
+
+
+def test_impactorReachesTheSurfaceWithItsSpeed(small):
+    output, summary = small
+    columns = record(output)
+    thickness = summary['bed']['thickness']
+    speed, height = -columns['impactorVelocity'][0], columns['impactorHeight'][0]
+    assert speed ** 2 + 2 * 9.81 * (height - thickness) == pytest.approx(5 ** 2 + 2 * 9.81 * 0.3, rel=1e-4)
+    assert summary['impactor']['surfaceSpeed'] == pytest.approx(5.558, abs=5e-4)
+
+
+def test_sameSeedSameRecord(small, tmp_path):
+    """Bit for bit, on one thread."""
+    if O.numThreads != 1:
+        pytest.skip('the order of summation is only fixed on one thread')
+    run(tmp_path)
+    assert (tmp_path / 'force.csv').read_bytes() == (small[0] / 'force.csv').read_bytes()
+
+
+def test_yadeSpheresRunToo(tmp_path):
+    summary = run(tmp_path, shape='sphere', radiusSpread=0.1)
+    assert summary['particle']['yadeSphere'] and summary['bed']['atRest']['true']
+    assert 0 < summary['bufferingRatio'] < 1
+
+
+def test_bareImpactIsThePapersP0():
+    """4.67 kN (Wang & Ji 2018) with the calibrated density; the present scene stays as it is."""
+    O.reset()
+    O.materials.append(CurvatureMat(label='mine'))
+    bare = sq.bareImpact(0.05, 3003, CurvatureMat(young=1e9, poisson=0.2, density=2500, normalDamping=0.1), 5.0, 0.3)
+    assert bare.pulse.peak == pytest.approx(4670, rel=2e-3)
+    assert len(O.bodies) == 0 and O.materials['mine'] is not None
+    assert surfaceSpeed(5, 0.3) == pytest.approx(math.sqrt(25 + 2 * 9.81 * 0.3))
+
+
+def test_pulseOfAKnownForce():
+    times = [1e-5 * i for i in range(1001)]
+    forces = [20 + (1000 * math.sin(math.pi * (t - 2e-3) / 4e-3) if 2e-3 <= t <= 6e-3 else 0) for t in times]
+    pulse = sq.pulse(times, forces, staticForce=20)
+    assert pulse.peak == pytest.approx(1000) and pulse.peakTime == pytest.approx(4e-3)
+    # sin > 0.1 for all but 2 asin(0.1) of pi
+    assert pulse.duration == pytest.approx(4e-3 * (1 - 2 * math.asin(0.1) / math.pi), abs=2e-5)
+    assert pulse.impulse == pytest.approx(1000 * 4e-3 / math.pi * 2 * math.cos(math.asin(0.1)), rel=5e-3)
+
+
+def script(output, *arguments):
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), '--output',
+               str(output), *arguments]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+
+def test_ctrlCLeavesACheckpointThatResumes(small, tmp_path):
+    output = tmp_path / 'stopped'
+    first = script(output, *(text for name, value in SMALL.items() for text in ('--' + name, str(value))))
+    while first.poll() is None and 'step' not in first.stderr.readline():
+        time.sleep(0.05)
+    first.send_signal(signal.SIGINT)
+    _, message = first.communicate(timeout=30)
+    assert first.returncode == 130 and '--resume' in message and 'Traceback' not in message
+    assert (output / 'checkpoint.yade.gz').exists() and not (output / 'summary.json').exists()
+    O.load(str(output / 'checkpoint.yade.gz'))
+    assert len(O.bodies) == 2 + small[1]['particle']['number']
+    second = script(output, '--resume')
+    text, _ = second.communicate(timeout=100)
+    assert second.returncode == 0 and 'peak P' in text
+    resumed = results.readJson(str(output / 'summary.json'))
+    # The collider's pairs come in another order after loading, so this is another, equally valid bed.
+    assert resumed['parameters'] == small[1]['parameters'] and resumed['bed']['atRest']['true']
+    assert not (output / 'checkpoint.json').exists()
