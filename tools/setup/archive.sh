@@ -107,5 +107,5 @@ fetch_headers() {
       "Unpack it yourself and name the folder in the variable YADE_SOURCE."
   "${enter[@]}" tar -x -C "$work/tree" --strip-components=1 -f "$work"/yade_*.orig.tar.* --wildcards '*.hpp' '*.h' '*.ipp' '*/RELEASE'
   mv "$work/tree" "$target"
-  rm -rf "$work"
+  rm -rf "$work" "$cache/apt"
 }
