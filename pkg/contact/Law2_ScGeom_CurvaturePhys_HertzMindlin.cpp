@@ -193,17 +193,23 @@ void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(
 
 	const Real slipped = tangential.slip * tangential.elastic.norm();
 	book(Friction, slipped);
-	const Vector3r elasticBefore = turned(geom, before.shearForce - before.shearViscous);
-	const Real loaded = -halfStep * bodies.sliding.dot(elasticBefore + tangential.elastic);
-	const Real curved = before.overlap > 0 ? (before.hertzStiffness - hertz) * (hm::normalEnergy(1, before.overlap) + hm::normalEnergy(1, overlap)) / 2 : 0;
-	book(StiffnessChange, curved + loaded - slipped - (tangential.energy - before.shearEnergy));
+	const Vector3r draggedBefore = turned(geom, before.shearForce - before.shearViscous);
+	const Real loaded = -halfStep * bodies.sliding.dot(draggedBefore + tangential.elastic);
+	Real pressed = 0;
+	if (before.overlap > 0) {
+		const Real curved = (before.hertzStiffness - hertz) * (hm::normalEnergy(1, before.overlap) + hm::normalEnergy(1, overlap)) / 2;
+		const Real elasticBefore = (before.normalForce - before.normalViscous).norm();
+		// By how much the bodies' approach misses the growth of the overlap, which moves with X0 along the surfaces.
+		pressed = curved + (elasticBefore + now.normal.elastic) / 2 * (bodies.approach * scene->dt - overlap + before.overlap);
+	}
+	book(ModelError, pressed + loaded - slipped - (tangential.energy - before.shearEnergy));
 }
 
 // Finds or makes the entries once a step, all at once and before any thread adds to one: EnergyTracker moves its storage when it
 // grows, and O.energy.clear() may have emptied it.
 void Law2_ScGeom_CurvaturePhys_HertzMindlin::findEnergies()
 {
-	static const std::array<const char*, energyCount> names { "elastic", "frictionDissip", "normalViscous", "tangentialViscous", "rolling", "stiffnessChange" };
+	static const std::array<const char*, energyCount> names { "elastic", "frictionDissip", "normalViscous", "tangentialViscous", "rolling", "nonconservative" };
 	const std::lock_guard<std::mutex> lock(findingEnergies);
 	if (energiesFoundAt.load(std::memory_order_relaxed) == scene->iter) return;
 	for (int energy = 0; energy < energyCount; ++energy) {

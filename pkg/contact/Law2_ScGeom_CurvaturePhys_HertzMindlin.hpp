@@ -43,7 +43,7 @@ private:
 		superquadric::hertzMindlin::TangentialForce tangential;
 		Vector3r couple;
 	};
-	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, StiffnessChange, energyCount };
+	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError, energyCount };
 
 	Meeting meeting(ScGeom& geom, const SuperquadricGeom* ours, const Interaction& interaction) const;
 	Real normalMass(const ScGeom& geom, const Meeting& bodies) const;
@@ -69,8 +69,8 @@ private:
 		"relative angular velocity, with opposite signs on both bodies, and never exceeds what stops that within one step;\n"
 		"* bodies that cannot move (blocked or without mass) count as infinitely heavy in $m^*$.\n\n"
 		"With O.trackEnergy, O.energy has: 'elastic' (stored now, normal and tangential); the sums 'frictionDissip' (slip), 'normalViscous', 'tangentialViscous', 'rolling'; and "
-		"'stiffnessChange', what the law itself takes out (negative: puts in) when a stiffness changes under load: $K_n$ with the radius of curvature, the tangential one of (11) "
-		"with the overlap. Kinetic energy plus these is constant up to the error of the time integration.",
+		"'nonconservative', what the elastic forces take out (negative: put in) because they have no potential: $K_n$ follows the radius of curvature and the stiffness of (11) the overlap, and "
+		"a rolling or sliding contact point changes the overlap a little other than the approach does. Kinetic energy plus these is constant up to the error of the time integration.",
 		((Real, overlapLimit, 0.1, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 and 1 [-]. It bounds the radius of curvature: at least that "
 			"overlap (Hertz needs an overlap below the radius); and at most so large that at that overlap the disc of contact is as wide as the section of the body across the normal."))
 		((bool, leverArms, true, , "Whether $m^*$ of the normal damping (8) counts that an off-centre push also turns the bodies: $1/m^* = \\sum 1/m_i + \\mathbf{l}_i\\cdot I_i^{-1}\\mathbf{l}_i$ "
