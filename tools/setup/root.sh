@@ -35,7 +35,7 @@ make_root() {
   packages=$(cat)
   rm -rf "$work" || die "cannot remove the unfinished $work"
   source_lines deb "$debianSuite" >"$cache/root.list"
-  options=(--variant=minbase "--include=$(tr '\n ' ',,' <<<"$packages")"
+  options=(--variant=minbase "--include=$(paste -sd, <<<"$packages")"
     --dpkgopt=force-unsafe-io '--dpkgopt=path-exclude=/usr/share/man/*' '--dpkgopt=path-exclude=/usr/share/locale/*'
     '--dpkgopt=path-exclude=/usr/share/doc/*' '--dpkgopt=path-include=/usr/share/doc/*/copyright'
     --customize-hook='touch "$1/etc/resolv.conf" "$1/etc/hosts"'
