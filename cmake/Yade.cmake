@@ -45,8 +45,9 @@ find_package(Boost REQUIRED CONFIG COMPONENTS serialization iostreams log thread
 find_package(OpenMP REQUIRED COMPONENTS CXX)
 find_package(Threads REQUIRED)
 
-# All of YADE's libraries, of which the linker keeps those that are used.
+# All of YADE's libraries (not an installed plugin), of which the linker keeps those that are used.
 file(GLOB yadeLibraries ${YADE_libDir}/lib*.so)
+list(REMOVE_ITEM yadeLibraries ${YADE_libDir}/libsuperquadric.so)
 
 add_library(yade_host INTERFACE)
 yade_macros(yadeMacros ${YADE_features})

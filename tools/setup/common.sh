@@ -37,10 +37,6 @@ as_root() {
 
 # packages_of SET...: the package names in tools/packages/SET, sorted, each once.
 packages_of() {
-  local set
-  for set in "$@"; do
-    [ -f "$project/tools/packages/$set" ] || die "there is no package list tools/packages/$set"
-  done
   (cd "$project/tools/packages" && sed -e 's/#.*//' "$@") | xargs -n1 | sort -u
 }
 

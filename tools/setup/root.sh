@@ -33,7 +33,7 @@ root_with() {
 make_root() {
   local target=$1 work=$1.tmp packages options
   packages=$(cat)
-  rm -rf "$work" || die "cannot remove the unfinished $work"
+  rm -rf --one-file-system "$work" || die "cannot remove the unfinished $work"
   source_lines deb "$debianSuite" >"$cache/root.list"
   options=(--variant=minbase "--include=$(paste -sd, <<<"$packages")"
     --dpkgopt=force-unsafe-io '--dpkgopt=path-exclude=/usr/share/man/*' '--dpkgopt=path-exclude=/usr/share/locale/*'
@@ -47,7 +47,7 @@ make_root() {
     mkdir -p "$work" &&
       TMPDIR=/var/tmp mmdebstrap --mode=unshare --format=tar "${options[@]}" "$debianSuite" - "$cache/root.list" |
       tar -x -C "$work" --no-same-owner --exclude='./dev/*'
-  fi || { rm -rf "$work"; die "the Debian $debianSuite folder could not be made: see the messages above." \
+  fi || { rm -rf --one-file-system "$work"; die "the Debian $debianSuite folder could not be made: see the messages above." \
     "What is there stays usable; run the command again once the cause is gone."; }
   printf '%s\n' "$packages" >"$work/etc/superquadric-packages"
   mv "$work" "$target"
@@ -59,7 +59,7 @@ drop_roots() {
   for old in "$cache"/root-*; do
     case $old in "$1" | *.lock | *.tmp) continue ;; esac
     [ -d "$old" ] || continue
-    flock --nonblock --exclusive "$old.lock" rm -rf "$old" || say "$old is in use; it is removed another time"
+    flock --nonblock --exclusive "$old.lock" rm -rf --one-file-system "$old" || say "$old is in use; it is removed another time"
   done
 }
 
