@@ -8,8 +8,9 @@ from yade.minieigenHP import Quaternion, Vector3
 from . import checks, container as containers
 
 GAP = 0.08             # clear distance between the particles' bounding spheres at the start, over their diameter
-SOLID_FRACTION = 0.67  # of poured beds of a few layers (sphere 0.68, cylinder 0.67, cube 0.67): for the number only
-DENSEST = 0.9        # no poured bed comes near it; a container asked to hold more is overfull without doubt
+SOLID_FRACTION = 0.67  # of poured beds of a few layers (sphere 0.65, cylinder and cube 0.67): for the number only
+SIDEWAYS = 2.0         # largest horizontal speed of the rain, over its downward speed; see rainFilling
+DENSEST = 0.9          # no poured bed comes near it; a container asked to hold more is overfull without doubt
 
 
 def randomOrientation(rng):
@@ -50,8 +51,8 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
     :param container: `Container`
     :param material: the particles' material
     :param seed: the same seed gives the same bodies, bit for bit
-    :param speed: initial downward speed, and largest sideways speed [m/s]. Without the latter the bed is heaped: the
-        bounding spheres keep the rain farther from the wall than the settled particles are.
+    :param speed: initial downward speed [m/s]. Sideways it is up to SIDEWAYS times as much: rain that falls straight
+        makes a heap, as the bounding spheres keep it farther from the wall than the settled particles are.
     :param solidFraction: of the settled bed, for the check that it fits
     :returns: (ids of the particles, the container with its present height)
     :raises ValueError: before any body is added
@@ -73,7 +74,7 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
 def _falling(shape, center, material, speed, rng):
     shade = 0.55 + 0.25 * rng.random()
     body = shape.body(Vector3(*center), randomOrientation(rng), material, color=(shade, 0.8 * shade, 0.5 * shade))
-    heading, sideways = 2 * math.pi * rng.random(), speed * math.sqrt(rng.random())
+    heading, sideways = 2 * math.pi * rng.random(), SIDEWAYS * speed * math.sqrt(rng.random())
     body.state.vel = Vector3(sideways * math.cos(heading), sideways * math.sin(heading), -speed)
     return body
 

@@ -19,7 +19,7 @@ def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
     figure, axes = _figure(8, 4.8)
     times, forces = 1e3 * np.asarray(record[0]), 1e-3 * (np.asarray(record[1]) - staticForce)
     start, end = 1e3 * pulse.start, 1e3 * pulse.end
-    axes.axvspan(start, end, color='#f3e3c3', lw=0, zorder=0, label=f'duration {end - start:.2f} ms')
+    axes.axvspan(start, end, color='#f6e9d0', lw=0, zorder=0, label=f'duration {end - start:.2f} ms')
     if bare is not None:
         bareForces = 1e-3 * np.asarray(bare[1])
         shifted = 1e3 * np.asarray(bare[0]) + start
@@ -34,8 +34,8 @@ def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
     axes.annotate(f'$P$ = {peak:.3f} kN', (peakTime, peak), xytext=(8, 4), textcoords='offset points', color='#b03a2e')
     axes.axhline(0, color='black', lw=0.6)
     axes.set(xlabel='time [ms]', ylabel='force on the base, less the bed\'s weight on it [kN]', title=title,
-             xlim=(times[0], min(times[-1], end + 0.8 * max(end - start, 1.0))))
-    axes.legend(frameon=False, loc='upper right')
+             xlim=(max(times[0], start - 0.5 * (end - start)), min(times[-1], end + 2 * (end - start))))
+    axes.legend(loc='upper right', framealpha=1, edgecolor='white')
     axes.spines[['top', 'right']].set_visible(False)
     _save(figure, path)
 

@@ -14,7 +14,7 @@ from .container import Container, cylinderContainer, setHeight
 from .engines import criticalTimeStep, superquadricEngines
 from .filling import rainFilling
 from .impact import Recorder, addImpactor, bareImpact, recordImpact, supportForce
-from .settling import RestCriterion, rampSteps, settle, stiffen
+from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
@@ -131,8 +131,8 @@ class ImpactRun:
         self.state.update(container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,
                           pourTime=math.sqrt(2 * top / p['gravity']) + 0.3, settled={})
 
-    def _criterion(self):
-        return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds))
+    def _criterion(self, quiet=QUIET, support=SUPPORT):
+        return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds), quiet, support)
 
     def _pour(self):
         left = self.parameters['maxSettlingTime'] - O.time
@@ -148,7 +148,7 @@ class ImpactRun:
         self.state['stage'], self.state['restStart'] = 'rest', O.time
 
     def _rest(self):
-        criterion = self._criterion()
+        criterion = self._criterion(TRUE_QUIET, TRUE_SUPPORT)
         limit = 10000 * O.dt
         left = self.state.setdefault('restStart', O.time) + limit - O.time
         self.state['settled']['true'] = left > 0 and settle(self.stepper, criterion, left)

@@ -69,8 +69,7 @@ PARAMETERS = (
     Parameter('speed', 5.0, 'm/s', checks.notNegative, 'its downward speed V0 at dropHeight'),
     Parameter('dropHeight', 0.3, 'm', checks.notNegative, 'height above the bed\'s surface at which it has that speed'),
     Parameter('gravity', 9.81, 'm/s2', checks.positive, 'acceleration of gravity, down'),
-    Parameter('rainSpeed', 0.5, 'm/s', checks.notNegative, 'initial downward speed of the particles, and largest '
-              'sideways speed'),
+    Parameter('rainSpeed', 0.5, 'm/s', checks.notNegative, 'initial downward speed of the particles'),
     Parameter('softening', 100.0, '', _softening, 'Young\'s modulus is divided by this while the bed is poured'),
     Parameter('timeStepFraction', 0.1, '', _fraction, 'time step over the critical one (14); the paper: 0.1 at most'),
     Parameter('dt', None, 's', _optional(checks.positive), 'time step of the impact, instead of timeStepFraction'),

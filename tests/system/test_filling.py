@@ -61,7 +61,7 @@ def test_noOverlapAtTheStart(material, name, aspect):
     assert min(p[2] for p in centers) > shape.boundingRadius
     assert max(p[2] for p in centers) + shape.boundingRadius <= container.height * (1 + 1e-12)
     velocities = [O.bodies[i].state.vel for i in ids]
-    assert all(v[2] == -0.5 and math.hypot(v[0], v[1]) <= 0.5 for v in velocities)
+    assert all(v[2] == -0.5 and math.hypot(v[0], v[1]) <= 1.0 for v in velocities)
 
 
 def test_sameSeedSameBedAnotherSeedAnother(material):
