@@ -35,14 +35,14 @@ def parser():
 
 
 def fromTable():
-    """Parameters of this job's line in the batch table; nothing without yade-batch."""
+    """Parameters of this job's line in the batch table, and its description; nothing and "impact" without yade-batch."""
     if not os.environ.get('YADE_BATCH'):
-        return {}
-    given = utils.TableParamReader(os.environ['YADE_BATCH'].rsplit(':', 1)[0]).paramDict()
-    columns = {name for row in given.values() for name in row} - {'description'}
+        return {}, 'impact'
+    rows = utils.TableParamReader(os.environ['YADE_BATCH'].rsplit(':', 1)[0]).paramDict()
+    columns = {name for row in rows.values() for name in row if name != 'description' and not name.startswith('!')}
     utils.readParamsFromTable(unknownOk=True, **study.defaults())
     from yade.params import table
-    return {name: getattr(table, name) for name in columns if not name.startswith('!')}
+    return {name: getattr(table, name) for name in columns}, O.tags['description']
 
 
 def main():
@@ -50,8 +50,9 @@ def main():
     output, resume, quiet = (options.pop(name) for name in ('output', 'resume', 'quiet'))
     stream = None if quiet else sys.stderr
     try:
-        parameters = {**fromTable(), **options}
-        output = output or O.tags.get('description', 'impact')
+        parameters, description = fromTable()
+        parameters.update(options)
+        output = output or description
         run = ImpactRun.resume(output, stream) if resume else ImpactRun.begin(parameters, output, stream)
     except ValueError as error:
         print(f'impact.py: {error}', file=sys.stderr)

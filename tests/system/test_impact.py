@@ -127,6 +127,20 @@ def test_pulseOfAKnownForce():
     assert pulse.impulse == pytest.approx(1000 * 4e-3 / math.pi * 2 * math.cos(math.asin(0.1)), rel=5e-3)
 
 
+def test_batchTable(tmp_path):
+    """As yade-batch starts a job: the table's line gives the parameters, its description the folder."""
+    table = tmp_path / 'some.table'
+    table.write_text("description shape thickness containerDiameter impactorDiameter\n"
+                     "flat 'sphere' 0.01 0.06 0.02\nhigh 'sphere' 0.02 0.06 0.02\n")
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py')]
+    done = subprocess.run(command, cwd=tmp_path, env={**os.environ, 'YADE_BATCH': f'{table}:3'}, capture_output=True,
+                          text=True, timeout=100)
+    assert done.returncode == 0, done.stderr
+    parameters = results.readJson(str(tmp_path / 'high' / 'summary.json'))['parameters']
+    assert parameters == study.checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
+                                        'impactorDiameter': 0.02})
+
+
 def script(output, *arguments):
     command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), '--output',
                str(output), *arguments]
