@@ -20,18 +20,16 @@ case ${XDG_CACHE_HOME:-} in
   *) cache=${HOME:?}/.cache/yade-superquadric ;;
 esac
 
-# as_root REASON COMMAND...: run a command that needs administrator's rights, or say which one to ask for.
+# as_root REASON COMMAND: run a shell command that needs the administrator's rights, or say what to ask for.
 as_root() {
-  local reason=$1
-  shift
-  say "$reason"
+  say "$1"
   if [ "$(id -u)" -eq 0 ]; then
-    "$@" >&2 || die "this command failed:" "$*"
+    sh -c "$2" >&2 || die "this command failed:" "$2"
   elif command -v sudo >/dev/null && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
-    say "through sudo: $*"
-    sudo "$@" >&2 || die "this needs the administrator. Please ask for:" "$*"
+    say "through sudo: $2"
+    sudo sh -c "$2" >&2 || die "this needs the administrator. Please ask for:" "$2"
   else
-    die "this needs the administrator. Please ask for:" "$*"
+    die "this needs the administrator. Please ask for:" "$2"
   fi
 }
 

@@ -8,7 +8,7 @@ native_ready() {
   mapfile -t missing < <(missing_packages "${packages[@]}")
   if [ "${#missing[@]}" -gt 0 ]; then
     as_root "installing ${#missing[@]} packages of this system with their dependencies (1-3 minutes): ${missing[*]}" \
-      sh -c "apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends ${missing[*]}"
+      "apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends ${missing[*]}"
   fi
   environment=native-$(dpkg-query -W -f '${Version}' yade)
   enter=()

@@ -9,7 +9,7 @@ root_tools() {
   mapfile -t missing < <(missing_packages "${tools[@]}")
   [ "${#missing[@]}" -eq 0 ] ||
     as_root "YADE >= $minimumYade is not in this system; the tools to make a Debian $debianSuite folder are needed" \
-      sh -c "apt-get update && apt-get install --yes --no-install-recommends ${missing[*]}"
+      "apt-get update && apt-get install --yes --no-install-recommends ${missing[*]}"
   [ "$(id -u)" -eq 0 ] || grep -qs "^$(id -un):" /etc/subuid ||
     die "this account has no subordinate user ids (/etc/subuid). Please ask the administrator for:" \
       "usermod --add-subuids 100000-165535 --add-subgids 100000-165535 $(id -un)"
