@@ -12,7 +12,7 @@ from yade.wrapper import (
 from . import checks
 
 
-def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=()):
+def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), sortedContacts=False):
     """The full list of engines, to be assigned to `O.engines`.
 
     :param gravity: [m/s2]
@@ -20,6 +20,9 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
         automatic choice knows spheres only, therefore by default a fifth of the smallest half size in the scene
     :param damping: YADE's non-viscous damping [-]; 0 leaves the dissipation to the contact law
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
+    :param sortedContacts: add up forces in the order of the bodies' ids. A scene that is saved, loaded and continued then equals
+        one that never stopped, bit for bit on one thread; else the order changes with the loading, and the last digits
+        with it. Costs about a tenth of the time.
     :raises ValueError: a value out of range
     """
     margin = 0.2 * min(halfSizes(), default=5e-3) if verletDist is None else checks.notNegative('verletDist', verletDist)
@@ -29,7 +32,7 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
         ForceResetter(),
         InsertionSortCollider(bounds, verletDist=margin),
         InteractionLoop(_geometryFunctors(), [Ip2_CurvatureMat_CurvatureMat_CurvaturePhys()],
-                        [Law2_ScGeom_CurvaturePhys_HertzMindlin()]),
+                        [Law2_ScGeom_CurvaturePhys_HertzMindlin()], loopOnSortedInteractions=sortedContacts),
         *afterForces,
         NewtonIntegrator(gravity=gravity, damping=damping, exactAsphericalRot=True),
     ]
