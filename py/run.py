@@ -69,15 +69,16 @@ class ImpactRun:
     def path(self, name):
         return os.path.join(self.output, name)
 
-    def run(self):
+    def run(self, until='done'):
         """Do all stages that are left, write the results, return the summary.
 
+        :param until: a later one of `STAGES`: stop before it, leave a checkpoint for `resume`, return None
         :raises Interrupted: after Ctrl-C, with checkpoint and data so far written
         """
         start = time.perf_counter()
         with Stepper(self._plan(), self.stream) as self.stepper:
             try:
-                while self.state['stage'] != 'done':
+                while self.state['stage'] != until:
                     self.stepper.begin(self.state['stage'])
                     getattr(self, '_' + self.state['stage'])()
             except Interrupted:
@@ -85,6 +86,9 @@ class ImpactRun:
                 self.save()
                 raise
         self.state['seconds'] += time.perf_counter() - start
+        if until != 'done':
+            self.save()
+            return None
         report.write(self)
         return self.summary
 
