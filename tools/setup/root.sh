@@ -59,7 +59,8 @@ drop_roots() {
   for old in "$cache"/root-*; do
     case $old in "$1" | *.lock | *.tmp) continue ;; esac
     [ -d "$old" ] || continue
-    flock --nonblock --exclusive "$old.lock" rm -rf --one-file-system "$old" || say "$old is in use; it is removed another time"
+    flock --nonblock --exclusive "$old.lock" rm -rf --one-file-system "$old" "$old.lock" ||
+      say "$old is in use; it is removed another time"
   done
 }
 
