@@ -23,7 +23,8 @@ bool orientedBoxesApart(const Placement& body1, const Placement& body2, const Ve
 {
 	const auto separates = [&](const Vector3& axis) {
 		const double distance = between.dot(axis);
-		if (std::abs(distance) <= boxWidth(body1.shape, body1.toBody(axis)) + boxWidth(body2.shape, body2.toBody(axis))) return false;
+		// Said so that NaN separates nothing.
+		if (!(std::abs(distance) > boxWidth(body1.shape, body1.toBody(axis)) + boxWidth(body2.shape, body2.toBody(axis)))) return false;
 		direction = distance > 0 ? axis : Vector3(-axis);
 		return true;
 	};

@@ -142,7 +142,7 @@ Contact contactHollowCylinder(const Placement& body, const Vector3& origin, cons
 	contact.lower = radius / search.bound();
 	contact.upper = radius / search.farthest();
 	contact.overlap = search.farthest() - radius;
-	contact.status = contact.overlap > 0 ? Status::Overlap : Status::Apart;
+	contact.status = contact.overlap > 0 ? Status::Overlap : contact.overlap <= 0 ? Status::Apart : Status::Uncertified;
 	contact.surface1 = body.position + search.point();
 	contact.surface2 = contact.surface1 - contact.overlap * contact.normal;
 	contact.point = contact.middle();

@@ -46,7 +46,7 @@ namespace {
 		bool apartBySpheres()
 		{
 			const double radii = problem_.body1().shape.boundingRadius() + problem_.body2().shape.boundingRadius();
-			if (problem_.between().squaredNorm() <= radii * radii) return false;
+			if (!(problem_.between().squaredNorm() > radii * radii)) return false;
 			++counters_.rejectedBySphere;
 			const double distance = problem_.between().norm();
 			setApart(problem_.between() / distance, distance / radii);
@@ -140,7 +140,7 @@ namespace {
 			contact_.upper = point.upper();
 			contact_.lower = lower;
 			contact_.status = Status::Overlap;
-			if (point.upper() >= 1) {
+			if (!(point.upper() < 1)) {
 				contact_.lower = std::max(lower, problem_.lowerBound(point.axis));
 				const bool close = point.upper() - 1 <= tolerances::touching && 1 - contact_.lower <= tolerances::touching;
 				contact_.status = close ? Status::Touching : Status::Uncertified;

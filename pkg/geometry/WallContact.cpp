@@ -7,6 +7,10 @@
 
 namespace superquadric {
 
+namespace {
+	Status verdict(double overlap) { return overlap > 0 ? Status::Overlap : overlap <= 0 ? Status::Apart : Status::Uncertified; }
+} // namespace
+
 Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3& outward)
 {
 	const Vector3 deepest = body.supportPoint(-outward);
@@ -15,7 +19,7 @@ Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3
 	contact.normal = -outward;
 	contact.lower = contact.upper = distance / reach;
 	contact.overlap = reach - distance;
-	contact.status = contact.overlap > 0 ? Status::Overlap : Status::Apart;
+	contact.status = verdict(contact.overlap);
 	contact.point = body.position + contact.upper * deepest;
 	contact.surface1 = body.position + deepest;
 	contact.surface2 = contact.surface1 + contact.overlap * outward;
@@ -83,12 +87,18 @@ namespace {
 
 } // namespace
 
-Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& v)
+Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& v, bool border)
 {
 	const Vector3 normal = (v[1] - v[0]).cross(v[2] - v[0]).normalized();
 	const bool above = (body.position - v[0]).dot(normal) >= 0;
 	const Contact plane = contactPlane(body, v[0], above ? normal : Vector3(-normal));
-	if (plane.status == Status::Apart || insideTriangle(plane.point, v, normal)) return plane;
+	if (!plane.overlapping() || insideTriangle(plane.point, v, normal)) return plane;
+	if (!border) {
+		Contact outside = plane;
+		outside.status = Status::Apart;
+		outside.overlap = -std::abs(plane.overlap);
+		return outside;
+	}
 
 	const Vector3 lowest = lowestOnBoundary(body, v);
 	const Vector3 gradient = body.gaugeWithGradient(lowest - body.position).gradient;
@@ -97,12 +107,8 @@ Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& v)
 	for (const Vector3& vertex : v)
 		lower = std::min(lower, gradient.dot(vertex - body.position));
 	Contact contact = contactAtWallPoint(body, lowest, lower);
-	if (contact.upper < 1)
-		contact.status = Status::Overlap;
-	else if (lower > 1)
-		contact.status = Status::Apart;
-	else
-		contact.status = contact.upper - 1 <= tolerances::touching && 1 - lower <= tolerances::touching ? Status::Touching : Status::Uncertified;
+	// Between the two lies what the search along a long edge leaves to rounding; there is no overlap in it.
+	contact.status = contact.upper < 1 ? Status::Overlap : lower > 1 ? Status::Apart : Status::Touching;
 	return contact;
 }
 

@@ -17,8 +17,9 @@ Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3
 
 // A triangle as a two-sided sheet without thickness: it pushes towards the side on which the body's centre is. X0 is the
 // triangle's point with the smallest gauge: inside it the plane's closed form, else by a convex search along the edges.
-// The vertices must not lie on a line.
-Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& vertices);
+// The vertices must not lie on a line. A triangle of a mesh knows nothing of its neighbours: under a flat face each one pushes by its
+// border. With `border` false only its inside pushes, and Apart then means no more than that X0 is not inside.
+Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& vertices, bool border = true);
 
 // The inside of a cylinder of the given radius about the line through `origin` along the unit vector `axis`, without end. The
 // contact is at the body's farthest point from the axis, where the normals agree as in eq. (4). The normal is radial, outwards;

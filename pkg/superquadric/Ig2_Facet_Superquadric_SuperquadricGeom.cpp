@@ -15,7 +15,7 @@ bool Ig2_Facet_Superquadric_SuperquadricGeom::solve(const Shape& shape1, const S
 		vertices[i] = pair.state1.pos + rotation * facet.vertices[i];
 
 	const auto body = static_cast<const Superquadric&>(shape2).placement(pair.state2, pair.shift2);
-	const auto contact = superquadric::contactTriangle(body, vertices).reversed();
+	const auto contact = superquadric::contactTriangle(body, vertices, borders).reversed();
 	if (!touches(contact)) return pair.part(contact);
 	return pair.touch(contact, {}, sideOf(body, contact.surface2, contact.normal, contact.curvature2));
 }

@@ -8,6 +8,7 @@
 #include "RandomBodies.hpp"
 #include "ReferenceShape.hpp"
 
+#include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -219,5 +220,19 @@ TEST(PairContact, CurvaturesAreThoseOfTheSurfacePoints)
 		const double expected2 = meanCurvature(pair.two.shape, seenBy(pair.two, contact.surface2).cast<double>());
 		EXPECT_NEAR(contact.curvature1, expected1, 1e-4 * std::max(expected1, 1 / pair.one.shape.boundingRadius()));
 		EXPECT_NEAR(contact.curvature2, expected2, 1e-4 * std::max(expected2, 1 / pair.two.shape.boundingRadius()));
+	}
+}
+
+// Nothing is proved of a body whose place is not a number, and it is not settled in silence.
+TEST(PairContact, NotANumberIsNoVerdict)
+{
+	const Shape cube(Vector3::Constant(1), 8, 8);
+	const double nan = std::numeric_limits<double>::quiet_NaN();
+	for (const auto& [position, rotation] : { std::pair<Vector3, Matrix3>(Vector3(nan, 0, 0), Matrix3::Identity()), { Vector3(1, 0, 0), Matrix3::Constant(nan) } }) {
+		WarmStart warm;
+		SolverCounters counters;
+		const Contact contact = contactPair({ cube, Vector3::Zero(), Matrix3::Identity() }, { cube, position, rotation }, warm, counters);
+		EXPECT_EQ(contact.status, Status::Uncertified);
+		EXPECT_EQ(counters.uncertified, 1u);
 	}
 }

@@ -179,7 +179,7 @@ TEST(WallContact, TheFormulasOfFaceAndEdgeAgreeOnTheEdge)
 	}
 }
 
-// A sheet: from below it pushes down; a mesh of two halves acts as the whole; vertices may come in any order.
+// A sheet: from below it pushes down; vertices may come in any order.
 TEST(WallContact, TriangleActsOnBothSidesInAnyOrderOfItsVertices)
 {
 	RandomBodies random(106);
@@ -231,5 +231,28 @@ TEST(WallContact, GrainsFarSmallerThanTheTriangle)
 		EXPECT_EQ(contactTriangle(body, v).status, Status::Overlap);
 		const Placement far { shape, onEdge - outwards * 1.0001 * shape.boundingRadius(), rotation };
 		EXPECT_EQ(contactTriangle(far, v).status, Status::Apart);
+	}
+}
+
+// A flat face on a floor of triangles: with borders each triangle under it pushes, without them one, like the plane.
+TEST(WallContact, WithoutBordersAFlatMeshActsAsThePlane)
+{
+	const Shape cube(Vector3::Constant(1), 8, 8);
+	for (double place : { 0.1, 0.37, 0.73 }) {
+		const Placement body { cube, Vector3(place, 0.3 * place, 1 - 1e-3), Matrix3::Identity() };
+		int withBorders = 0, without = 0;
+		for (int i = -4; i < 4; ++i)
+			for (int k = -4; k < 4; ++k)
+				for (bool lower : { true, false }) {
+					const Vector3 corner(0.5 * i, 0.5 * k, 0), x(0.5, 0, 0), y(0, 0.5, 0);
+					const Triangle v = lower ? Triangle { corner, corner + x, corner + y } : Triangle { corner + x + y, corner + y, corner + x };
+					withBorders += contactTriangle(body, v).overlapping();
+					const Contact contact = contactTriangle(body, v, false);
+					if (!contact.overlapping()) continue;
+					++without;
+					EXPECT_NEAR(contact.overlap, 1e-3, 1e-12);
+				}
+		EXPECT_EQ(without, 1);
+		EXPECT_GT(withBorders, 10);
 	}
 }
