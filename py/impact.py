@@ -13,9 +13,11 @@ from .stepping import Stepper
 
 CALIBRATED_DENSITY = 3003.0  # kg/m3: with it an impact on the bare base at 5.558 m/s peaks at the paper's P0 = 4.67 kN
 CLEARANCE = 5e-4             # m between impactor and the highest particle at the start
+BLOW_THRESHOLD = 0.01        # of the static force: less is no blow, a bed at rest is as uncertain (settling.TRUE_SUPPORT)
 PULSE_THRESHOLD = 0.1        # of the peak: the pulse lasts as long as the force is above
 QUIET_THRESHOLD = 0.05       # of the peak: the impact is over when the force has stayed below
 QUIET_TIME = 4e-3            # s for which it must have stayed below
+CHECK_STEPS = 100            # time steps between two looks whether it is over
 
 Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse lastTime')
 Pulse.__doc__ = """A pulse of the force on the base, what it bore before taken off.
@@ -31,7 +33,7 @@ BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the 
 
 
 def surfaceSpeed(speed, height, gravity=9.81):
-    """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it."""
+    """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it; `gravity` [m/s2]."""
     return math.sqrt(checks.notNegative('speed', speed) ** 2 + 2 * gravity * checks.notNegative('height', height))
 
 
@@ -44,16 +46,33 @@ def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacl
     :param diameter: [m]; :param density: [kg/m3]
     :param material: `CurvatureMat` in O.materials whose other parameters it takes
     :param obstacles: ids of the particles; only those beneath the sphere count
+    :param gravity: downward [m/s2]
     :returns: its id
+    :raises ValueError: it would not get as high as the highest obstacle; nothing has been added then
     """
     radius = checks.positive('impactor diameter', diameter) / 2
-    own = CurvatureMat(**{**material.dict(), 'id': -1, 'label': '', 'density': checks.positive('impactor density', density)})
-    O.materials.append(own)
+    density, gravity = checks.positive('impactor density', density), checks.positive('gravity', gravity)
+    speed, dropHeight = checks.notNegative('speed', speed), checks.notNegative('dropHeight', dropHeight)
     bottom = max([surface] + [top for top in map(_topBeneath(radius), obstacles) if top is not None]) + CLEARANCE
-    fallen = checks.notNegative('dropHeight', dropHeight) + surface - bottom
+    startSpeed = speedAt(bottom - surface, speed, dropHeight, gravity)
+    own = CurvatureMat(**{**material.dict(), 'id': -1, 'label': '', 'density': density})
+    O.materials.append(own)
     body = utils.sphere((0, 0, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
-    body.state.vel = Vector3(0, 0, -math.sqrt(checks.notNegative('speed', speed) ** 2 + 2 * gravity * fallen))
+    body.state.vel = Vector3(0, 0, -startSpeed)
     return O.bodies.append(body)
+
+
+def speedAt(height, speed, dropHeight, gravity):
+    """Speed [m/s] at `height` [m] above the surface of a sphere that has `speed` [m/s] at `dropHeight` [m] above it.
+
+    :param gravity: [m/s2]
+    :raises ValueError: `height` is above the top of its path
+    """
+    squared = speed ** 2 + 2 * gravity * (dropHeight - height)
+    if squared < 0:
+        raise ValueError(f'dropHeight = {dropHeight!r}: too low; with speed = {speed!r} m/s there the impactor has never been '
+                         f'{height:.4g} m above the surface, where it must clear the particles')
+    return math.sqrt(squared)
 
 
 def _topBeneath(radius):
@@ -102,12 +121,15 @@ class Recorder:
 def pulse(times, forces, staticForce):
     """Measure the pulse in a record of `forces` [N] at `times` [s]; `staticForce` [N] is taken off first.
 
-    :raises ValueError: an empty record
+    :raises ValueError: an empty record, or one in which no blow reached the base
     """
     if not times:
         raise ValueError('times = []: nothing was recorded')
     extra = [force - staticForce for force in forces]
     top = max(range(len(extra)), key=extra.__getitem__)
+    if extra[top] <= BLOW_THRESHOLD * abs(staticForce):
+        raise ValueError(f'forces: no blow reached the base, it rises by {extra[top]:.3g} N above the static {staticForce:.4g} N '
+                         f'within {times[-1] - times[0]:.3g} s; is maxImpactTime too short?')
     threshold = PULSE_THRESHOLD * extra[top]
     first = next((i + 1 for i in range(top - 1, -1, -1) if extra[i] < threshold), 0)
     last = next((i - 1 for i in range(top + 1, len(extra)) if extra[i] < threshold), len(extra) - 1)
@@ -140,19 +162,25 @@ class EndOfImpact:
 def recordImpact(stepper, recorder, staticForce, maxTime):
     """Step and record until the impact is over, or for `maxTime` [s] at most. Returns whether it was over."""
     end = EndOfImpact(recorder, staticForce)
-    while O.time - recorder.startTime < maxTime:
-        stepper.run(100, recorder.sample)
+    while True:
+        stepper.run(CHECK_STEPS, recorder.sample)
         if end.check():
             return True
-    return False
+        if O.time - recorder.startTime >= maxTime:
+            return False
 
 
 def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81):
     """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
 
+    :param diameter: of the impactor [m]; :param density: [kg/m3]
     :param material: `CurvatureMat` of base and impactor
+    :param speed: [m/s] at :param dropHeight: [m] above the base; :param gravity: downward [m/s2]
     :returns: `BareImpact`
+    :raises ValueError: it would not get off the base, or have no speed there
     """
+    if surfaceSpeed(speed, dropHeight, gravity) == 0:
+        raise ValueError(f'speed = {speed!r}: with dropHeight = {dropHeight!r} the impactor reaches the base without speed')
     parameters = {**material.dict(), 'id': -1, 'label': ''}
     O.switchScene()
     try:

@@ -5,11 +5,13 @@ The defaults are the case of Wang & Ji, Acta Phys. Sin. 67, 094501 (2018) that t
 import math
 from collections import namedtuple
 
+from yade.wrapper import CurvatureMat
+
 from . import checks
 from .bodies import SHAPES, particleShape
 from .container import checkCylinder
 from .filling import DENSEST, SOLID_FRACTION
-from .impact import CALIBRATED_DENSITY
+from .impact import CALIBRATED_DENSITY, CLEARANCE, speedAt
 
 Parameter = namedtuple('Parameter', 'name default unit check help')
 
@@ -101,7 +103,8 @@ def checked(values):
         raise ValueError(f'impactorDiameter = {result["impactorDiameter"]!r}: larger than the container '
                          f'({result["containerDiameter"]!r} m)')
     _checkCapacity(result, shape)
-    _checkTimeStep(result, shape)
+    _checkDrop(result, shape)
+    _checkTimeStep(result)
     return result
 
 
@@ -135,9 +138,21 @@ def _checkCapacity(parameters, shape):
                          f'{bed:.4g} m, containerHeight is {parameters["containerHeight"]!r} m')
 
 
-def _checkTimeStep(parameters, shape):
-    from yade.wrapper import CurvatureMat
-    smallest = (1 - parameters['radiusSpread']) * min(shape.extents)
-    critical = CurvatureMat(**materialOf(parameters)).criticalTimeStep(smallest)
+def _checkDrop(parameters, shape):
+    """The impactor has to start above the particles: some stand out of the surface, by two of the largest at most."""
+    highest = CLEARANCE + 4 * (1 + parameters['radiusSpread']) * shape.boundingRadius
+    speedAt(highest, parameters['speed'], parameters['dropHeight'], parameters['gravity'])
+
+
+def criticalTimeStep(parameters):
+    """The smaller of the critical time steps (14) [s] of the smallest particle and of the impactor, in the impact."""
+    material = materialOf(parameters)
+    particle = (1 - parameters['radiusSpread']) * min(shapeOf(parameters).extents)
+    impactor = CurvatureMat(**{**material, 'density': parameters['impactorDensity']})
+    return min(CurvatureMat(**material).criticalTimeStep(particle), impactor.criticalTimeStep(parameters['impactorDiameter'] / 2))
+
+
+def _checkTimeStep(parameters):
+    critical = criticalTimeStep(parameters)
     if parameters['dt'] is not None and parameters['dt'] > critical:
         raise ValueError(f'dt = {parameters["dt"]!r}: above the critical time step {critical:.4g} s (eq. 14)')

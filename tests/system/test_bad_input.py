@@ -103,6 +103,26 @@ def test_studyParameters(name, value, tmp_path):
     assert len(O.bodies) == 0 and not os.path.exists(output)
 
 
+def test_dropThatEndsWithinTheParticles(material):
+    """An impactor that has never been above them."""
+    for speed, height in ((0.15, 0.0), (0.0, 0.02)):
+        with pytest.raises(ValueError, match=f'dropHeight = {height}: too low; with speed = {speed} m/s'):
+            study.checked({'speed': speed, 'dropHeight': height})
+    ids = [O.bodies.append(sq.superquadric((0, 0, 0.1), (5e-3,) * 3, 2, 2, material))]
+    before = len(O.materials)
+    with pytest.raises(ValueError, match=r'dropHeight = 0.05: too low; with speed = 1.0 m/s .* 0.1055 m above'):
+        sq.addImpactor(0.02, 3000, material, 1, 0.05, 0.0, ids)
+    assert len(O.bodies) == 1 and len(O.materials) == before
+
+
+def test_bareImpactWithoutSpeed(material):
+    with pytest.raises(ValueError, match='speed = 0.0: with dropHeight = 0.0'):
+        sq.bareImpact(0.02, 3000, material, 0.0, 0.0)
+    with pytest.raises(ValueError, match='dropHeight = 0.0: too low'):
+        sq.bareImpact(0.02, 3000, material, 0.01, 0.0)
+    assert len(O.materials) == 1
+
+
 def test_unknownParameter():
     with pytest.raises(ValueError, match='thikness = 0.1'):
         study.checked({'thikness': 0.1})
