@@ -2,27 +2,25 @@
 from yade import O
 
 from . import plots, results, study
-from .impact import Recorder, pulse, surfaceSpeed
+from .impact import Pulse, surfaceSpeed
 from .engines import criticalTimeStep, solverCounters
 from .snapshot import Snapshot
 
-FORCE_PICTURE, BED_PICTURE = 'force.png', 'bed.png'
+RECORD, SUMMARY, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
+    'force.csv', 'summary.json', 'before.npz', 'after.npz', 'force.png', 'bed.png')
 
 
 def write(run):
-    """Write all files of the finished `run` (`ImpactRun`), remove its checkpoint, and set `run.summary`."""
-    recorder = run.recorder
-    measured = pulse(recorder.column('time'), recorder.column('baseForce'), run.state['staticForce'])
-    results.writeCsv(run.path('force.csv'), Recorder.COLUMNS, recorder.rows)
+    """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before. Returns the summary."""
     after = Snapshot.ofBodies(run.ids)
-    after.save(run.path('after.npz'))
-    run.summary = summary(run, measured)
-    results.writeJson(run.path('summary.json'), run.summary)
-    _pictures(run, measured, after)
-    run.removeCheckpoint()
+    after.save(run.path(AFTER))
+    content = summary(run)
+    _pictures(run, after)
+    results.writeJson(run.path(SUMMARY), content)
+    return content
 
 
-def summary(run, measured):
+def summary(run):
     """All that is known of the finished `run`, as a dict for JSON. SI units."""
     p, state, bare = run.parameters, run.state, run.state['bare']['pulse']
     shape = study.shapeOf(p)
@@ -35,10 +33,10 @@ def summary(run, measured):
                 'weight': sum(O.bodies[i].state.mass for i in run.ids) * p['gravity'], 'atRest': state['settled']},
         'impactor': {'mass': O.bodies[state['impactor']].state.mass,
                      'surfaceSpeed': surfaceSpeed(p['speed'], p['dropHeight'], p['gravity'])},
-        'impact': {**measured._asdict(), 'over': state['impactOver']},
+        'impact': {**state['pulse'], 'over': state['impactOver']},
         'bare': bare,
         'P0': bare['peak'],
-        'bufferingRatio': (bare['peak'] - measured.peak) / bare['peak'],
+        'bufferingRatio': (bare['peak'] - state['pulse']['peak']) / bare['peak'],
         'energy': dict(O.energy.items()),
         'timeStep': {'impact': O.dt, 'critical': criticalTimeStep()},
         'solver': solverCounters(),
@@ -61,13 +59,13 @@ def text(content):
         f'time       {content["wallSeconds"]:.0f} s on {content["threads"]} thread(s)'))
 
 
-def _pictures(run, measured, after):
+def _pictures(run, after):
     p, state = run.parameters, run.state
     radius = p['impactorDiameter'] / 2
     title = f'{len(run.ids)} particles ({p["shape"]}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
     record = run.recorder.column('time'), run.recorder.column('baseForce')
-    plots.forcePicture(run.path(FORCE_PICTURE), record, measured, state['staticForce'],
+    plots.forcePicture(run.path(FORCE_PICTURE), record, Pulse(**state['pulse']), state['staticForce'],
                        (state['bare']['times'], state['bare']['forces']), title)
-    views = [('before the impact', Snapshot.load(run.path('before.npz')), (state['impactorStart'], radius)),
+    views = [('before the impact', Snapshot.load(run.path(BEFORE)), (state['impactorStart'], radius)),
              ('after the impact', after, (tuple(O.bodies[state['impactor']].state.pos), radius))]
     plots.bedPicture(run.path(BED_PICTURE), views, run.container, title + ' (front half taken away)')

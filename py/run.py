@@ -13,12 +13,13 @@ from .bedgeometry import measureBed
 from .container import Container, cylinderContainer, setHeight
 from .engines import criticalTimeStep, superquadricEngines
 from .filling import rainFilling
-from .impact import Recorder, addImpactor, bareImpact, recordImpact, supportForce
+from .impact import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
 from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
-SCENE, STATE, RECORD = 'checkpoint.yade.gz', 'checkpoint.json', 'force.csv'
+SCENE, STATE = 'checkpoint.yade.gz', 'checkpoint.json'
+REST_STEPS = 10000  # time steps at most for the bed to come to rest with its true stiffness
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
 
 
@@ -28,22 +29,26 @@ class ImpactRun:
     :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
     """
 
-    STAGES = ('pour', 'stiffen', 'rest', 'static', 'impact')
+    STAGES = ('pour', 'stiffen', 'rest', 'static', 'impact', 'report')
 
     def __init__(self, output, state, stream=sys.stderr):
         self.output, self.state, self.stream = output, state, stream
         self.parameters = state['parameters']
-        self.summary = None
+        self.summary = self.recorder = None
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
-        """Check `parameters` (a dict, see `study.PARAMETERS`), then build the scene; YADE's present scene is dropped.
+        """Check `parameters` (a dict, see `study.PARAMETERS`), then build the scene; YADE's present scene is dropped, and so are
+        the results of an earlier run in the folder.
 
-        :raises ValueError: before anything changes
+        :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
         parameters = study.checked(parameters)
+        if any(os.path.exists(os.path.join(output, name)) for name in (SCENE, STATE)):
+            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
         os.makedirs(output, exist_ok=True)
         run = cls(output, {'parameters': parameters, 'stage': 'pour', 'seconds': 0.0}, stream)
+        run._remove(report.FILES)
         run._build()
         return run
 
@@ -74,29 +79,27 @@ class ImpactRun:
 
         :param until: a later one of `STAGES`: stop before it, leave a checkpoint for `resume`, return None
         :raises Interrupted: after Ctrl-C, with checkpoint and data so far written
+        :raises ValueError: the impactor cannot start where it should, or no blow reached the base; written as well
         """
-        start = time.perf_counter()
-        with Stepper(self._plan(), self.stream) as self.stepper:
+        self._started = time.perf_counter()
+        with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
             try:
                 while self.state['stage'] != until:
                     self.stepper.begin(self.state['stage'])
                     getattr(self, '_' + self.state['stage'])()
-            except Interrupted:
-                self.state['seconds'] += time.perf_counter() - start
+            except (Interrupted, ValueError):
                 self.save()
                 raise
-        self.state['seconds'] += time.perf_counter() - start
-        if until != 'done':
-            self.save()
-            return None
-        report.write(self)
+            if until != 'done':
+                self.save()
         return self.summary
 
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
-        recorder = getattr(self, 'recorder', None)
-        if recorder is not None:
-            results.writeCsv(self.path(RECORD), Recorder.COLUMNS, recorder.rows)
+        self._countSeconds()
+        self.state['stepsLeft'] = self.stepper.left
+        if self.recorder is not None:
+            self._writeRecord()
         O.save(self.path(SCENE))
         results.writeJson(self.path(STATE), self.state)
 
@@ -106,15 +109,13 @@ class ImpactRun:
         done = self.STAGES[:self.STAGES.index(self.state['stage'])]
         steps = {'pour': max(self.state['pourTime'] - O.time, 0) / O.dt if 'pour' not in done else 0,
                  'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'static': STATIC_STEPS,
-                 'impact': 0.012 / self._timeStep()}
+                 'impact': 0.012 / self._timeStep(), 'report': 0}
         return {stage: count for stage, count in steps.items() if stage not in done}
 
     def _timeStep(self):
         if self.parameters['dt'] is not None:
             return self.parameters['dt']
-        shape = study.shapeOf(self.parameters)
-        return self.parameters['timeStepFraction'] * (1 - self.parameters['radiusSpread']) * CurvatureMat(
-            **study.materialOf(self.parameters)).criticalTimeStep(min(shape.extents))
+        return self.parameters['timeStepFraction'] * study.criticalTimeStep(self.parameters)
 
     def _build(self):
         p, shape = self.parameters, study.shapeOf(self.parameters)
@@ -124,24 +125,25 @@ class ImpactRun:
         self.state['bare'] = {'pulse': bare.pulse._asdict(), 'times': bare.times, 'forces': bare.forces}
         material = CurvatureMat(**{**study.materialOf(p), 'young': p['young'] / p['softening']}, label='particles')
         O.materials.append(material)
-        rng = random.Random(p['seed'])
+        rng = random.Random(f'sizes {p["seed"]}')  # another sequence than the one that places the particles
         shapes = [shape.scaled(1 + p['radiusSpread'] * (2 * rng.random() - 1)) if p['radiusSpread'] else shape
                   for _ in range(study.particleCount(p))]
         container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
         ids, container = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'])
-        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
+        # Sorted contacts: a run that was interrupted and resumed then equals one that never stopped.
+        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']), sortedContacts=True)
         O.dt = p['timeStepFraction'] * criticalTimeStep()
         top = max(O.bodies[i].state.pos[2] for i in ids)
         self.state.update(container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,
-                          pourTime=math.sqrt(2 * top / p['gravity']) + 0.3, settled={})
+                          pourTime=math.sqrt(2 * top / p['gravity']) + 0.3, settled={}, settling={}, staticForces=[])
 
     def _criterion(self, quiet=QUIET, support=SUPPORT):
-        return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds), quiet, support)
+        return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds), quiet, support, self.state['settling'])
 
     def _pour(self):
-        left = self.parameters['maxSettlingTime'] - O.time
         criterion = self._criterion()
-        self.state['settled']['soft'] = left > 0 and settle(self.stepper, criterion, left)
+        self.state['settled']['soft'] = settle(self.stepper, criterion, self.parameters['maxSettlingTime'])
+        self.state['settling'] = {}
         self._say(f'poured {len(self.ids)} particles: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, '
                   f'support {criterion.supportedWeight():.3f} of the weight, t = {O.time:.3f} s')
         self.state['stage'] = 'stiffen' if self.parameters['softening'] > 1 else 'rest'
@@ -149,27 +151,25 @@ class ImpactRun:
     def _stiffen(self):
         stiffen(self.stepper, self.parameters['softening'], self.parameters['timeStepFraction'],
                 self.state['rampStage'], lambda done: self.state.update(rampStage=done))
-        self.state['stage'], self.state['restStart'] = 'rest', O.time
+        self.state['stage'] = 'rest'
 
     def _rest(self):
         criterion = self._criterion(TRUE_QUIET, TRUE_SUPPORT)
-        limit = 10000 * O.dt
-        left = self.state.setdefault('restStart', O.time) + limit - O.time
-        self.state['settled']['true'] = left > 0 and settle(self.stepper, criterion, left)
+        self.state['settled']['true'] = settle(self.stepper, criterion, REST_STEPS * O.dt)
+        self.state['settling'] = {}
         self._say(f'at rest: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, support '
                   f'{criterion.supportedWeight():.4f} of the weight')
         self.state['stage'] = 'static'
 
     def _static(self):
-        base, wall = [], []
+        samples, supports = self.state['staticForces'], ([self.container.baseId], self.container.sideIds)
         O.dt = self._timeStep()
-        self.stepper.run(STATIC_STEPS, lambda: (base.append(supportForce([self.container.baseId])),
-                                                wall.append(supportForce(self.container.sideIds))))
-        self.state['staticForce'], self.state['staticWallForce'] = sum(base) / len(base), sum(wall) / len(wall)
+        self.stepper.run(STATIC_STEPS, lambda: samples.append([supportForce(ids) for ids in supports]))
+        self.state['staticForce'], self.state['staticWallForce'] = (sum(forces) / len(forces) for forces in zip(*samples))
         container = setHeight(self.container, self.parameters['containerHeight'])
         before = Snapshot.ofBodies(self.ids)
         self.state['bed'] = measureBed(before, container)
-        before.save(self.path('before.npz'))
+        before.save(self.path(report.BEFORE))
         self._addImpactor(container)
         self.state.update(container=container._asdict(), stage='impact', startTime=O.time)
 
@@ -182,16 +182,37 @@ class ImpactRun:
         O.trackEnergy = True
 
     def _impact(self):
-        rows = results.readCsv(self.path(RECORD))[1] if self.state.get('recorded') else ()
-        self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
-        self.state['recorded'] = True
-        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, self.state['staticForce'],
-                                                self.parameters['maxImpactTime'])
+        self._openRecord()
+        static = self.state['staticForce']
+        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, static, self.parameters['maxImpactTime'])
+        self._writeRecord()
+        measured = pulse(self.recorder.column('time'), self.recorder.column('baseForce'), static)
+        self.state.update(pulse=measured._asdict(), stage='report')
+
+    def _report(self):
+        self._openRecord()
+        self._countSeconds()
+        self.summary = report.write(self)
+        self._remove((SCENE, STATE))  # the run is done: a checkpoint of it would only mislead
         self.state['stage'] = 'done'
 
-    def removeCheckpoint(self):
-        """The run is done: a checkpoint of it would only mislead."""
-        for name in (SCENE, STATE):
+    def _openRecord(self):
+        """Make the recorder, with what an interrupted run has recorded."""
+        if self.recorder is None:
+            rows = results.readCsv(self.path(report.RECORD))[1] if self.state.get('recorded') else ()
+            self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
+            self.state['recorded'] = True
+
+    def _writeRecord(self):
+        results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
+
+    def _countSeconds(self):
+        now = time.perf_counter()
+        self.state['seconds'] += now - self._started
+        self._started = now
+
+    def _remove(self, names):
+        for name in names:
             if os.path.exists(self.path(name)):
                 os.remove(self.path(name))
 

@@ -9,7 +9,7 @@ overlaps give back, and the bed comes to rest a second time.
 import math
 
 from yade import O
-from yade.wrapper import CurvatureMat, NewtonIntegrator
+from yade.wrapper import CurvatureMat, CurvaturePhys, NewtonIntegrator
 
 from . import checks
 from .engines import criticalTimeStep, engine
@@ -32,16 +32,19 @@ class RestCriterion:
 
     At rest: kinetic energy (rotation included) per particle below `quiet` m g d, and the vertical force on the supports
     within `support` of the weight; as often in a row as CHECKS_IN_A_ROW says.
+
+    :ivar memory: what settling has to know beside the scene when it is taken up again, a dict of plain values: how often in
+        a row the criterion `held`, whether the bed was `calm`, when settling has to `end` [s]
     """
 
-    def __init__(self, ids, supports, quiet=QUIET, support=SUPPORT):
+    def __init__(self, ids, supports, quiet=QUIET, support=SUPPORT, memory=None):
         self.ids, self.supports = list(ids), list(supports)
         self.quiet, self.support = checks.positive('quiet', quiet), checks.positive('support', support)
         self.gravity = abs(engine(NewtonIntegrator).gravity[2])
         masses = [O.bodies[i].state.mass for i in self.ids]
         self.weight = self.gravity * sum(masses)
         self.scale = self.weight * _meanDiameter(self.ids)
-        self.held = 0
+        self.memory = {} if memory is None else memory
 
     def kineticEnergy(self):
         """Mean kinetic energy of a particle over m g d [-]."""
@@ -54,8 +57,9 @@ class RestCriterion:
     def check(self):
         """Look once; True when the criterion has held long enough."""
         quiet = self.kineticEnergy() < self.quiet
-        self.held = self.held + 1 if quiet and abs(self.supportedWeight() - 1) < self.support else 0
-        return self.held >= CHECKS_IN_A_ROW
+        holds = quiet and abs(self.supportedWeight() - 1) < self.support
+        self.memory['held'] = self.memory.get('held', 0) + 1 if holds else 0
+        return self.memory['held'] >= CHECKS_IN_A_ROW
 
 
 def _kineticEnergy(state):
@@ -75,16 +79,19 @@ def settle(stepper, criterion, maxTime):
     :param stepper: `Stepper`
     :returns: whether the bed came to rest
     """
-    newton, end = engine(NewtonIntegrator), O.time + checks.positive('maxTime', maxTime)
+    newton, memory = engine(NewtonIntegrator), criterion.memory
+    end = memory.setdefault('end', O.time + checks.positive('maxTime', maxTime))
     before = newton.damping
     try:
-        while O.time < end:
+        while True:
+            if memory.get('calm'):
+                newton.damping = DAMPING
             stepper.run(CHECK_STEPS)
             if criterion.check():
                 return True
-            if criterion.kineticEnergy() < CALM:
-                newton.damping = DAMPING
-        return False
+            if O.time >= end:
+                return False
+            memory['calm'] = memory.get('calm', False) or criterion.kineticEnergy() < CALM
     finally:
         newton.damping = before
 
@@ -107,34 +114,37 @@ def scaleStiffness(factor):
     shrink = factor ** (-2 / 3)
     for interaction in O.interactions:
         phys = interaction.phys
-        phys.updateAttrs({'effectiveModulus': factor * phys.effectiveModulus,
-                          'shearDisplacement': shrink * phys.shearDisplacement})
+        if isinstance(phys, CurvaturePhys):
+            phys.updateAttrs({'effectiveModulus': factor * phys.effectiveModulus,
+                              'shearDisplacement': shrink * phys.shearDisplacement})
 
 
-def rampSteps(softening, done=0):
-    """Time steps of each stage of `stiffen` that is left after `done` stages.
+def rampSteps(softening):
+    """Time steps of each stage of `stiffen`.
 
     Overlaps go with E^(-2/3), time steps with E^(-1/2): so many steps let the bed swell ever more slowly, as E^(-1/2).
     With a constant number it would keep its speed to the end, and hop.
     """
-    return [round(RAMP_STEPS * softening ** (stage / (3 * RAMP_STAGES))) for stage in range(done, RAMP_STAGES)]
+    return [round(RAMP_STEPS * softening ** (stage / (3 * RAMP_STAGES))) for stage in range(RAMP_STAGES)]
 
 
 def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda stage: None):
     """Raise the stiffness by `softening` in RAMP_STAGES stages, the time step following.
 
     :param timeStepFraction: time step over the critical one (14)
-    :param done: stages already done, for a run that is taken up again
-    :param afterScaling: called with the number of stages done, before their steps are run
+    :param done: stage in whose steps a run was stopped that is now taken up again; 0: none
+    :param afterScaling: called with the number of the stage, before its steps are run
     """
     factor = checks.positive('softening', softening) ** (1 / RAMP_STAGES)
     newton = engine(NewtonIntegrator)
     before, newton.damping = newton.damping, RAMP_DAMPING
     try:
-        for stage, steps in enumerate(rampSteps(softening, done), done + 1):
-            scaleStiffness(factor)
-            O.dt = timeStepFraction * criticalTimeStep()
-            afterScaling(stage)
-            stepper.run(steps)
+        for stage, steps in enumerate(rampSteps(softening), 1):
+            if stage > done:
+                scaleStiffness(factor)
+                O.dt = timeStepFraction * criticalTimeStep()
+                afterScaling(stage)
+            if stage >= done:
+                stepper.run(steps)
     finally:
         newton.damping = before

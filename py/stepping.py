@@ -14,16 +14,21 @@ class Stepper:
     """Runs the scene. `with Stepper() as stepper:` catches the first Ctrl-C or SIGTERM and raises `Interrupted` at the
     end of the running step; a second Ctrl-C stops at once, as usual.
 
+    A stage asks for steps in portions, and what it remembers changes between portions only. So a stop in a portion leaves
+    `left`, its missing steps; a Stepper made with that number does only them when the same portion is asked for again, and
+    the run goes on as if it had never stopped.
+
     :param plan: expected number of steps of each stage, {name: steps}, for the estimate of the time left
     :param stream: where progress goes; None for silence
+    :param left: steps that are missing in the first portion, None: all
     """
 
     REFRESH = 0.5    # s between updates of the line on a terminal
     LOG_REFRESH = 5.0  # s between lines in a log file
 
-    def __init__(self, plan=None, stream=sys.stderr):
+    def __init__(self, plan=None, stream=sys.stderr, left=None):
         self.plan = dict(plan or {})
-        self.stream = stream
+        self.stream, self.left = stream, left
         self.stage, self.stageSteps = '', 0
         self.steps, self.seconds = 0, 0.0
         self._stop, self._handlers, self._lastReport = False, {}, 0.0
@@ -46,11 +51,14 @@ class Stepper:
         self.report()
 
     def run(self, steps, afterStep=None):
-        """Do `steps` steps; `afterStep()` is called after each, forces are then still those of the step.
+        """Do a portion of `steps` steps; `afterStep()` is called after each, forces are then still those of the step.
 
-        :raises Interrupted: the user wants to stop
+        :raises Interrupted: the user wants to stop; at least one step is left then, which brings the forces back
         """
-        for _ in range(steps):
+        self.left = steps if self.left is None else self.left
+        while self.left:
+            if self._stop:
+                raise Interrupted
             start = time.perf_counter()
             O.step()
             if afterStep:
@@ -58,9 +66,9 @@ class Stepper:
             self.seconds += time.perf_counter() - start
             self.steps += 1
             self.stageSteps += 1
-            if self._stop:
-                raise Interrupted
+            self.left -= 1
             self.report()
+        self.left = None
 
     def secondsLeft(self):
         """Expected seconds for what the plan still holds; None before there is something to go by."""

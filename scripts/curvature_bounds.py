@@ -2,7 +2,7 @@
 
     yade -n -x scripts/curvature_bounds.py [OUTPUT_FOLDER]
 
-Pours the default bed of scripts/impact.py once (folder/bed, taken up again where it exists) and lets the impactor fall on it for each
+Pours the default bed of scripts/impact.py once (folder/bed; taken up again where it exists, finished or not) and lets the impactor fall on it for each
 variant. Prints a table and writes it as curvature_bounds.csv.
 """
 import csv
@@ -26,8 +26,9 @@ COLUMNS = ('variant', 'peak [N]', 'duration [ms]', 'buffering ratio')
 
 def pouredBed(folder):
     """Folder with the checkpoint of the bed at rest, the impactor above it."""
-    if not os.path.exists(os.path.join(folder, 'checkpoint.json')):
-        ImpactRun.begin(study.defaults(), folder).run(until='impact')
+    begun = os.path.exists(os.path.join(folder, 'checkpoint.json'))
+    run = ImpactRun.resume(folder) if begun else ImpactRun.begin(study.defaults(), folder)
+    run.run(until='impact')
     return folder
 
 

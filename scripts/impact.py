@@ -63,6 +63,9 @@ def main():
         print(f'Stopped. Data and checkpoint are in {output}; go on with:\n'
               f'  yade -n -x {sys.argv[0]} --output {output} --resume', file=sys.stderr)
         return INTERRUPTED
+    except ValueError as error:
+        print(f'impact.py: {error}\nData and checkpoint are in {output}.', file=sys.stderr)
+        return BAD_INPUT
     print(f'results    {output}/summary.json, force.csv, force.png, bed.png')
     return 0
 
