@@ -1,4 +1,6 @@
 """The engines of a superquadric scene, and its time step."""
+from collections import Counter
+
 from yade import O
 from yade.wrapper import (
     Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, CurvatureMat,
@@ -23,8 +25,12 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
     :param sortedContacts: add up forces in the order of the bodies' ids. A scene that is saved, loaded and continued then equals
         one that never stopped, bit for bit on one thread; else the order changes with the loading, and the last digits
         with it. Costs about a tenth of the time.
-    :raises ValueError: a value out of range
+    Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
+    that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
+
+    :raises ValueError: a value out of range, or a body whose material is not a CurvatureMat
     """
+    checkMaterials()
     margin = 0.2 * min(halfSizes(), default=5e-3) if verletDist is None else checks.notNegative('verletDist', verletDist)
     damping = checks.within('damping', damping, 0, 1, highIncluded=False)
     bounds = [Bo1_Superquadric_Aabb(), Bo1_Sphere_Aabb(), Bo1_Wall_Aabb(), Bo1_Facet_Aabb(), Bo1_HollowCylinder_Aabb()]
@@ -36,6 +42,15 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
         *afterForces,
         NewtonIntegrator(gravity=gravity, damping=damping, exactAsphericalRot=True),
     ]
+
+
+def checkMaterials():
+    """ValueError if a body in the scene that can touch others has a material other than CurvatureMat."""
+    for body in O.bodies:
+        if body.shape is not None and not body.isClump and not isinstance(body.mat, CurvatureMat):
+            kind = 'none' if body.mat is None else type(body.mat).__name__
+            raise ValueError(f'body {body.id}: its material is {kind}, but contacts of superquadrics need a CurvatureMat '
+                             f'on all bodies')
 
 
 def _geometryFunctors():
@@ -59,12 +74,13 @@ def engine(kind, engines=None):
 
 
 def solverCounters():
-    """What the solver for pairs of superquadrics has met so far, as a dict (see
-    `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`)."""
+    """What the solver has met so far in pairs of superquadrics and of sphere and superquadric together, as a dict (see
+    `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`). It counts from the making or loading of the scene."""
+    total = Counter()
     for functor in engine(InteractionLoop).geomDispatcher.functors:
-        if isinstance(functor, Ig2_Superquadric_Superquadric_SuperquadricGeom):
-            return dict(functor.counters())
-    return {}
+        if isinstance(functor, (Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Sphere_Superquadric_SuperquadricGeom)):
+            total.update(functor.counters())
+    return dict(total)
 
 
 def minHalfSize(shape):
