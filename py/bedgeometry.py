@@ -3,8 +3,12 @@ import math
 
 import numpy as np
 
-from . import checks
+from . import checks, container as containers
+from .bodies import unitVolume
 from .snapshot import boxHalfHeights, gauge
+
+
+MOST_VOXELS = 2e8  # a byte each
 
 
 def voxelGrid(snapshot, container, voxel):
@@ -13,11 +17,15 @@ def voxelGrid(snapshot, container, voxel):
     :param container: `Container`; the grid covers its base and reaches up to the highest particle
     :param voxel: edge length [m]
     :returns: bool (nx, ny, nz); centres along x and y (nx,), (ny,) and z (nz,) [m]
+    :raises ValueError: more than MOST_VOXELS
     """
     voxel = checks.positive('voxel', voxel)
     half = _halfSizes(container)
-    top = float((snapshot.positions + boxHalfHeights(snapshot))[:, 2].max()) if len(snapshot) else voxel
+    top = float((snapshot.positions + boxHalfHeights(snapshot))[:, 2].max())
     counts = [max(1, math.ceil(2 * h / voxel)) for h in half] + [max(1, math.ceil(top / voxel))]
+    if math.prod(counts) > MOST_VOXELS:
+        raise ValueError(f'voxel = {voxel!r}: too small, the grid would have {math.prod(counts):.3g} voxels '
+                         f'(at most {MOST_VOXELS:g})')
     origin = np.array([-counts[0] * voxel / 2, -counts[1] * voxel / 2, 0.0])
     centers = [origin[i] + voxel * (np.arange(counts[i]) + 0.5) for i in range(3)]
     filled = np.zeros(counts, dtype=bool)
@@ -50,7 +58,10 @@ def measureBed(snapshot, container, voxel=None):
 
     :param voxel: edge length [m]; by default a tenth of the mean particle's radius of equal volume
     :returns: dict of the three and `voxel`
+    :raises ValueError: no particles, or a voxel so small that the grid would not fit into memory
     """
+    if not len(snapshot):
+        raise ValueError('snapshot: no particles, so there is no bed to measure')
     volumes = particleVolumes(snapshot)
     radius = float(np.mean(volumes) * 3 / (4 * math.pi)) ** (1 / 3)
     voxel = radius / 10 if voxel is None else voxel
@@ -58,7 +69,7 @@ def measureBed(snapshot, container, voxel=None):
     columns = _columnsInside(container, centers, 0.0)
     levels = np.where(filled.any(axis=2), voxel * (filled.shape[2] - filled[:, :, ::-1].argmax(axis=2)), 0.0)
     thickness = float(levels[columns].mean())
-    area = math.pi * container.radius ** 2 if container.radius is not None else container.width * container.depth
+    area = containers.crossSection(container)
     middle = (centers[2] > radius) & (centers[2] < thickness - radius)
     inner = filled[_columnsInside(container, centers, 2 * radius)][:, middle]
     return {'thickness': thickness, 'packingFraction': float(volumes.sum()) / (area * thickness),
@@ -67,14 +78,8 @@ def measureBed(snapshot, container, voxel=None):
 
 def particleVolumes(snapshot):
     """Exact volumes (N,) [m3]."""
-    from .bodies import unitVolume
     units = {tuple(pair): unitVolume(*pair) for pair in np.unique(snapshot.exponents, axis=0)}
     return snapshot.extents.prod(axis=1) * np.array([units[tuple(pair)] for pair in snapshot.exponents])
-
-
-def highestPoint(snapshot):
-    """z [m] of the highest point of all particles, to within the slack of `boxHalfHeights`."""
-    return float((snapshot.positions + boxHalfHeights(snapshot))[:, 2].max())
 
 
 def _halfSizes(container):

@@ -17,13 +17,8 @@ BLOCK_EXPONENT = 8.0  # the paper's largest exponent: its "cube", "block" and th
 
 
 def unitVolume(n1, n2):
-    """Volume of the superquadric with half sizes 1 [-]: 2 e1 e2 B(e1/2+1, e1) B(e2/2, e2/2), e = 2/n (Jaklic,
-    Leonardis & Solina 2000, eq. 2.60)."""
-    def beta(x, y):
-        return math.exp(math.lgamma(x) + math.lgamma(y) - math.lgamma(x + y))
-
-    e1, e2 = 2.0 / n1, 2.0 / n2
-    return 2 * e1 * e2 * beta(e1 / 2 + 1, e1) * beta(e2 / 2, e2 / 2)
+    """Volume of the superquadric with half sizes 1 [-]."""
+    return Superquadric(extents=(1, 1, 1), n1=n1, n2=n2).volume()
 
 
 def equalVolumeExtents(radius, n1, n2, aspect=1.0):
@@ -54,11 +49,6 @@ class ParticleShape(namedtuple('ParticleShape', 'extents n1 n2 asSphere')):
         """Radius of the smallest sphere about the centre that holds the particle [m]."""
         return self.extents[0] if self.asSphere else self.yadeShape().boundingRadius()
 
-    @property
-    def equivalentRadius(self):
-        """Radius of the sphere of equal volume [m]."""
-        return (3 * self.volume / (4 * math.pi)) ** (1 / 3)
-
     def yadeShape(self):
         return Superquadric(extents=self.extents, n1=self.n1, n2=self.n2)
 
@@ -67,10 +57,10 @@ class ParticleShape(namedtuple('ParticleShape', 'extents n1 n2 asSphere')):
         return self._replace(extents=tuple(factor * size for size in self.extents))
 
     def body(self, center, orientation, material, color=None):
-        """A body of this shape, not yet in the scene."""
+        """A body of this shape with its centre at `center` [m], not yet in the scene; see `superquadric` for the others."""
         if self.asSphere:
-            body = utils.sphere(center, self.extents[0], material=material, color=color)
-            body.state.ori = orientation
+            body = utils.sphere(checks.vector('center', center), self.extents[0], material=material, color=color)
+            body.state.ori = _rotation(orientation)
             return body
         return superquadric(center, self.extents, self.n1, self.n2, material, orientation, color=color)
 
@@ -110,17 +100,22 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     `Body.aspherical` is set where the principal moments differ: a body of isotropic inertia (sphere, cube) is
     integrated exactly, and faster, by YADE's integrator for spheres.
 
+    Mass and inertia belong to the sizes given here: a later change of `shape.extents` leaves them as they are, they have to be
+    set by hand then. In a periodic cell with an imposed velocity gradient YADE adds the cell's own rotation to bodies that are
+    not aspherical.
+
     :param center: position of the centre [m]
     :param extents: half sizes (a, b, c) along the body's axes [m]
     :param n1: exponent along the body's z; :param n2: exponent in its x-y plane; both in [2, 20]
-    :param material: a material, its id or its label, as in `utils.sphere`
-    :param orientation: Quaternion that turns the body's axes into the scene's
+    :param material: a material, its id or its label, as in `utils.sphere`; contacts need a CurvatureMat on both bodies
+    :param orientation: Quaternion that turns the body's axes into the scene's; it is normalised
     :returns: Body, not yet in the scene
-    :raises ValueError: a half size that is not positive and finite, an exponent out of range
+    :raises ValueError: a half size that is not positive and finite, an exponent out of range, a center that is not three
+        numbers, an orientation that is no rotation
     """
     extents = checks.extents('extents', extents)
     n1, n2 = checks.exponent('n1', n1), checks.exponent('n2', n2)
-    center = Vector3(*(checks.finite(f'center[{i}]', x) for i, x in enumerate(center)))
+    center, orientation = Vector3(*checks.vector('center', center)), _rotation(orientation)
     body = Body()
     body.shape = Superquadric(extents=extents, n1=n1, n2=n2, color=color if color else utils.randomColor(),
                               wire=wire, highlight=highlight)
@@ -130,3 +125,13 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     body.aspherical = max(inertia) - min(inertia) > 1e-9 * max(inertia)
     body.mask = mask
     return body
+
+
+def _rotation(orientation):
+    """The normalised `orientation`; ValueError if it is no rotation."""
+    if not isinstance(orientation, Quaternion):
+        raise ValueError(f'orientation = {orientation!r}: must be a Quaternion')
+    norm = orientation.norm()
+    if not (math.isfinite(norm) and norm > 0):
+        raise ValueError(f'orientation = {orientation!r}: must be finite and not zero')
+    return orientation.normalized()

@@ -61,15 +61,20 @@ def oneOf(name, value, choices):
     return value
 
 
+def vector(name, value, check=finite):
+    """Three numbers as a tuple of floats, each accepted by `check`."""
+    try:
+        numbers = tuple(value)
+    except TypeError:
+        numbers = ()
+    if len(numbers) != 3:
+        raise ValueError(f'{name} = {value!r}: three numbers are needed')
+    return tuple(check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
+
+
 def extents(name, value):
     """Three positive half sizes [m] as a tuple of floats."""
-    try:
-        sizes = tuple(value)
-    except TypeError:
-        sizes = ()
-    if len(sizes) != 3:
-        raise ValueError(f'{name} = {value!r}: three half sizes (a, b, c) are needed')
-    return tuple(positive(f'{name}[{i}]', size) for i, size in enumerate(sizes))
+    return vector(name, value, positive)
 
 
 def exponent(name, value):

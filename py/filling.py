@@ -4,6 +4,7 @@ import random
 
 from yade import O
 from yade.minieigenHP import Quaternion, Vector3
+from yade.wrapper import Sphere, Superquadric
 
 from . import checks, container as containers
 
@@ -45,7 +46,8 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
 
     The centres lie in horizontal layers on triangular grids, each turned and shifted at random, and every centre is
     jittered by no more than leaves the bounding spheres apart. The layers may reach above the rim:
-    the container is then made higher, `containers.setHeight` restores it once the bed has settled.
+    the container is then made higher, `containers.setHeight` restores it once the bed has settled. They begin at the base, so
+    the container must be empty: one call per container, with all its particles.
 
     :param shapes: list of `ParticleShape`, one per particle
     :param container: `Container`
@@ -57,6 +59,7 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
     :returns: (ids of the particles, the container with its present height)
     :raises ValueError: before any body is added
     """
+    _checkEmpty(container)
     shapes = list(shapes)
     if not shapes:
         raise ValueError('shapes = []: at least one particle is needed')
@@ -69,6 +72,13 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
     bodies = [_falling(shape, center, material, speed, rng) for shape, center in zip(shapes, centers)]
     top = max(center[2] for center in centers) + radius
     return O.bodies.append(bodies), containers.setHeight(container, max(container.height, top))
+
+
+def _checkEmpty(container):
+    for body in O.bodies:
+        x, y, z = body.state.pos
+        if isinstance(body.shape, (Sphere, Superquadric)) and z > 0 and _inside(x, y, 0.0, container):
+            raise ValueError(f'container: body {body.id} is in it already; fill it with all particles at once')
 
 
 def _falling(shape, center, material, speed, rng):

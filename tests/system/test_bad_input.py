@@ -6,6 +6,7 @@ import sys
 
 import pytest
 from yade import O
+from yade.minieigenHP import Quaternion
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
@@ -36,6 +37,24 @@ def test_extents(material, value):
 def test_twoExtents(material):
     with pytest.raises(ValueError, match=r'extents = \(1, 1\)'):
         sq.superquadric((0, 0, 0), (1, 1), 8, 8, material)
+
+
+@pytest.mark.parametrize('value', [(1, 2), (1, 2, 3, 4), 5, (0, 0, NAN)])
+def test_center(material, value):
+    with pytest.raises(ValueError, match='center.* = '):
+        sq.superquadric(value, (1, 1, 1), 8, 8, material)
+
+
+@pytest.mark.parametrize('value', [Quaternion(0, 0, 0, 0), Quaternion(1, NAN, 0, 0), (1, 0, 0)])
+def test_orientation(material, value):
+    for shape in (sq.particleShape('cube'), sq.particleShape('sphere')):
+        with pytest.raises(ValueError, match='orientation = '):
+            shape.body((0, 0, 0), value, material)
+
+
+def test_orientationIsNormalised(material):
+    body = sq.superquadric((0, 0, 0), (1, 1, 1), 8, 8, material, Quaternion(0, 3, 0, 4))
+    assert [body.state.ori[k] for k in range(4)] == pytest.approx([0.6, 0, 0.8, 0])  # x, y, z, w
 
 
 @pytest.mark.parametrize('value', [1.9, 0, -3, 20.5, NAN, INF])
@@ -121,6 +140,34 @@ def test_bareImpactWithoutSpeed(material):
     with pytest.raises(ValueError, match='dropHeight = 0.0: too low'):
         sq.bareImpact(0.02, 3000, material, 0.01, 0.0)
     assert len(O.materials) == 1
+
+
+def test_timeStepAboveTheCriticalOneOfTheImpactor():
+    """A small impactor of low density has a shorter critical step than the particles."""
+    values = {'impactorDiameter': 2e-3, 'impactorDensity': 1000}
+    critical = math.pi * 1e-3 / (0.163 * 0.2 + 0.8766) * math.sqrt(1000 / (1e9 / 2.4))
+    assert study.criticalTimeStep(study.checked(values)) == pytest.approx(critical, rel=1e-12)
+    with pytest.raises(ValueError, match=r'dt = .*: above the critical'):
+        study.checked({**values, 'dt': 1.01 * critical})
+    assert study.checked({'dt': 1.01 * critical})['dt'] == 1.01 * critical
+
+
+def test_bedWithoutParticlesAndVoxelsWithoutNumber(material):
+    container = sq.cylinderContainer(0.05, 0.1, material)
+    with pytest.raises(ValueError, match='no particles'):
+        sq.measureBed(sq.Snapshot.ofBodies([]), container)
+    body = O.bodies.append(sq.superquadric((0, 0, 5e-3), (5e-3,) * 3, 8, 8, material))
+    with pytest.raises(ValueError, match='voxel = 1e-05: too small.* 1e[+]11 voxels'):
+        sq.measureBed(sq.Snapshot.ofBodies([body]), container, voxel=1e-5)
+
+
+def test_containerThatIsNotEmpty(material):
+    container = sq.cylinderContainer(0.05, 0.1, material)
+    O.bodies.append(sq.superquadric((0.2, 0, 0.01), (5e-3,) * 3, 8, 8, material))  # beside it
+    _, container = sq.rainFilling([sq.particleShape('cube')] * 3, container, material, seed=1)
+    with pytest.raises(ValueError, match='container: body 3 is in it already'):
+        sq.rainFilling([sq.particleShape('cube')] * 3, container, material, seed=1)
+    assert len(O.bodies) == 6
 
 
 def test_unknownParameter():
