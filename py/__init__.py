@@ -3,7 +3,7 @@
     from yade import superquadric as sq
     O.bodies.append(sq.superquadric((0, 0, 0.1), (5e-3, 5e-3, 5e-3), n1=8, n2=8, material=material))
     O.engines = sq.superquadricEngines()
-    O.dt = 0.1 * sq.criticalTimeStep()
+    O.dt = sq.checkTimeStep(0.1 * sq.criticalTimeStep())
 
 SI units everywhere; z points up.
 """

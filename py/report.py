@@ -47,7 +47,7 @@ def summary(run):
 
 
 def text(content):
-    """The main results of a `summary` in a few lines."""
+    """The main results of a `summary` in a few lines, and what is wrong with them."""
     bed, impact = content['bed'], content['impact']
     return '\n'.join((
         f'bed        {content["particle"]["number"]} particles, thickness {1e3 * bed["thickness"]:.1f} mm, '
@@ -56,13 +56,34 @@ def text(content):
         f'duration   {1e3 * impact["duration"]:.2f} ms (force above a tenth of the peak)',
         f'P0         {content["P0"]:.1f} N without a bed',
         f'buffering  {content["bufferingRatio"]:.3f} = (P0 - P)/P0',
-        f'time       {content["wallSeconds"]:.0f} s on {content["threads"]} thread(s)'))
+        f'time       {content["wallSeconds"]:.0f} s on {content["threads"]} thread(s)',
+        *(f'WARNING    {warning}' for warning in warnings(content))))
+
+
+def warnings(content):
+    """What makes the results of a `summary` doubtful, one sentence each."""
+    rest, solver = content['bed']['atRest'], content['solver']
+    if not rest['soft']:
+        yield 'the bed was still moving when maxSettlingTime ended the pouring'
+    if not rest['true']:
+        yield 'the bed was not at rest before the impact'
+    if not content['impact']['over']:
+        yield 'the impact was not over when maxImpactTime ended the record'
+    if solver.get('uncertified'):
+        yield f'{solver["uncertified"]} of {solver["solves"]} solutions of the contact problem are not certified'
+
+
+def _describe(p):
+    """The shape in words: its name, and exponents and aspect that are not the name's own."""
+    shape, own = study.shapeOf(p), study.shapeOf({**p, 'n1': None, 'n2': None})
+    special = [f'$n_1$ = {shape.n1:g}'] * (shape.n1 != own.n1) + [f'$n_2$ = {shape.n2:g}'] * (shape.n2 != own.n2)
+    return ', '.join([p['shape'], *special, *[f'c/a = {p["aspect"]:g}'] * (p['aspect'] != 1)])
 
 
 def _pictures(run, after):
     p, state = run.parameters, run.state
     radius = p['impactorDiameter'] / 2
-    title = f'{len(run.ids)} particles ({p["shape"]}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
+    title = f'{len(run.ids)} particles ({_describe(p)}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
     record = run.recorder.column('time'), run.recorder.column('baseForce')
     plots.forcePicture(run.path(FORCE_PICTURE), record, Pulse(**state['pulse']), state['staticForce'],
                        (state['bare']['times'], state['bare']['forces']), title)

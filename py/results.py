@@ -19,7 +19,7 @@ def versions():
 
 def writeCsv(path, columns, rows):
     """Write `rows` under the names `columns`; numbers keep all their digits."""
-    with _replacing(path) as file:
+    with _Replacing(path) as file:
         writer = csv.writer(file, lineterminator='\n')
         writer.writerow(columns)
         writer.writerows([repr(float(value)) for value in row] for row in rows)
@@ -34,7 +34,7 @@ def readCsv(path):
 
 
 def writeJson(path, content):
-    with _replacing(path) as file:
+    with _Replacing(path) as file:
         json.dump(content, file, indent=2)
         file.write('\n')
 
@@ -44,7 +44,7 @@ def readJson(path):
         return json.load(file)
 
 
-class _replacing:
+class _Replacing:
     """A text file that takes the place of `path` only when it has been written completely."""
 
     def __init__(self, path):

@@ -3,7 +3,7 @@
     yade -n -x scripts/curvature_bounds.py [OUTPUT_FOLDER]
 
 Pours the default bed of scripts/impact.py once (folder/bed; taken up again where it exists, finished or not) and lets the impactor fall on it for each
-variant. Prints a table and writes it as curvature_bounds.csv.
+variant. Prints a table and writes it as curvature_bounds.csv into the folder (default: results/curvature_bounds).
 """
 import csv
 import os
@@ -53,4 +53,4 @@ def main(output):
         csv.writer(file).writerows([COLUMNS, *table])
 
 
-main(sys.argv[1] if len(sys.argv) > 1 else 'curvature_bounds')
+main(sys.argv[1] if len(sys.argv) > 1 else 'results/curvature_bounds')

@@ -2,7 +2,7 @@
 
     yade -n -x scripts/cylinder_on_plane.py [OUTPUT_FOLDER]
 
-Writes cylinder_on_plane.csv and .png into the folder (default: cylinder_on_plane) and prints the table's worst errors.
+Writes cylinder_on_plane.csv and .png into the folder (default: results/cylinder_on_plane) and prints the table's worst errors.
 """
 import csv
 import os
@@ -62,4 +62,4 @@ def main(folder):
               f' distance from the ideal cylinder at 5-85 degrees {max(abs(r[2] - r[6]) for r in mine if 0 < r[1] < 90):.3f}')
 
 
-main(sys.argv[1] if len(sys.argv) > 1 else 'cylinder_on_plane')
+main(sys.argv[1] if len(sys.argv) > 1 else 'results/cylinder_on_plane')

@@ -20,8 +20,8 @@ def parser():
     """The command line: an option for every parameter of the study."""
     result = argparse.ArgumentParser(prog='yade -n -x scripts/impact.py', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('--output', metavar='FOLDER', help='folder for the results (default: impact, or the batch '
-                        'table\'s description)')
+    result.add_argument('--output', metavar='FOLDER', help='folder for the results (default: results/impact, or '
+                        'results/ and the batch table\'s description)')
     result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; '
                         'parameters are those it was started with')
     result.add_argument('--quiet', action='store_true', help='no progress')
@@ -52,7 +52,7 @@ def main():
     try:
         parameters, description = fromTable()
         parameters.update(options)
-        output = output or description
+        output = output or os.path.join('results', description)
         run = ImpactRun.resume(output, stream) if resume else ImpactRun.begin(parameters, output, stream)
     except ValueError as error:
         print(f'impact.py: {error}', file=sys.stderr)

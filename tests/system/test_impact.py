@@ -11,7 +11,7 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import results, study
+from yade.superquadric import report, results, study
 from yade.superquadric.impact import supportForce, surfaceSpeed
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -138,7 +138,7 @@ def test_batchTable(tmp_path):
     done = subprocess.run(command, cwd=tmp_path, env={**os.environ, 'YADE_BATCH': f'{table}:3'}, capture_output=True,
                           text=True, timeout=100)
     assert done.returncode == 0, done.stderr
-    parameters = results.readJson(str(tmp_path / 'high' / 'summary.json'))['parameters']
+    parameters = results.readJson(str(tmp_path / 'results' / 'high' / 'summary.json'))['parameters']
     assert parameters == study.checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
                                         'impactorDiameter': 0.02})
 
@@ -210,6 +210,19 @@ def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
     results.writeJson(str(output / 'checkpoint.json'), state)
     summary = sq.ImpactRun.resume(str(output), stream=None).run()
     assert summary['impact']['over'] and summary['impact']['peak'] > 10 * summary['bed']['weight']
+
+
+def test_doubtfulResultsCarryAWarning(small):
+    summary = small[1]
+    assert 'WARNING' not in report.text(summary)
+    bed, impact, solver = summary['bed'], summary['impact'], summary['solver']
+    assert solver['solves'] > 0
+    for doubtful, words in (({'bed': {**bed, 'atRest': {'soft': False, 'true': True}}}, 'maxSettlingTime'),
+                            ({'bed': {**bed, 'atRest': {'soft': True, 'true': False}}}, 'not at rest'),
+                            ({'impact': {**impact, 'over': False}}, 'maxImpactTime'),
+                            ({'solver': {**solver, 'uncertified': 3}}, '3 of')):
+        lines = [line for line in report.text({**summary, **doubtful}).splitlines() if line.startswith('WARNING')]
+        assert len(lines) == 1 and words in lines[0]
 
 
 def test_newRunInAFolderRemovesTheOldResults(tmp_path):
