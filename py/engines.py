@@ -73,13 +73,15 @@ def engine(kind, engines=None):
     raise ValueError(f'engine = {kind.__name__}: there is none in O.engines; set O.engines = superquadricEngines()')
 
 
-def solverCounters():
+def solverCounters(reset=False):
     """What the solver has met so far in pairs of superquadrics and of sphere and superquadric together, as a dict (see
-    `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`). It counts from the making or loading of the scene."""
+    `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`), since the scene was made or loaded, or since the last call with `reset`."""
     total = Counter()
     for functor in engine(InteractionLoop).geomDispatcher.functors:
         if isinstance(functor, (Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Sphere_Superquadric_SuperquadricGeom)):
             total.update(functor.counters())
+            if reset:
+                functor.resetCounters()
     return dict(total)
 
 

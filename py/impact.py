@@ -34,7 +34,7 @@ BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the 
 
 def surfaceSpeed(speed, height, gravity=9.81):
     """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it; `gravity` [m/s2]."""
-    return math.sqrt(checks.notNegative('speed', speed) ** 2 + 2 * gravity * checks.notNegative('height', height))
+    return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), gravity)
 
 
 def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81):
@@ -71,7 +71,7 @@ def speedAt(height, speed, dropHeight, gravity):
     squared = speed ** 2 + 2 * gravity * (dropHeight - height)
     if squared < 0:
         raise ValueError(f'dropHeight = {dropHeight!r}: too low; with speed = {speed!r} m/s there the impactor has never been '
-                         f'{height:.4g} m above the surface, where it must clear the particles')
+                         f'{height:.4g} m above the surface, where it has to start')
     return math.sqrt(squared)
 
 
@@ -173,9 +173,9 @@ def recordImpact(stepper, recorder, staticForce, maxTime):
 def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81):
     """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
 
-    :param diameter: of the impactor [m]; :param density: [kg/m3]
+    :param diameter: of the impactor [m]; :param density: its own [kg/m3]
     :param material: `CurvatureMat` of base and impactor
-    :param speed: [m/s] at :param dropHeight: [m] above the base; :param gravity: downward [m/s2]
+    :param speed: [m/s] that it has `dropHeight` above the base; :param dropHeight: [m]; :param gravity: downward [m/s2]
     :returns: `BareImpact`
     :raises ValueError: it would not get off the base, or have no speed there
     """

@@ -3,7 +3,7 @@ from yade import O
 
 from . import plots, results, study
 from .impact import Pulse, surfaceSpeed
-from .engines import criticalTimeStep, solverCounters
+from .engines import criticalTimeStep
 from .snapshot import Snapshot
 
 RECORD, SUMMARY, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
@@ -39,7 +39,7 @@ def summary(run):
         'bufferingRatio': (bare['peak'] - state['pulse']['peak']) / bare['peak'],
         'energy': dict(O.energy.items()),
         'timeStep': {'impact': O.dt, 'critical': criticalTimeStep()},
-        'solver': solverCounters(),
+        'solver': state['solver'],
         'versions': results.versions(),
         'threads': O.numThreads,
         'wallSeconds': state['seconds'],

@@ -4,6 +4,7 @@ import os
 import random
 import sys
 import time
+from collections import Counter
 
 from yade import O
 from yade.wrapper import CurvatureMat
@@ -11,7 +12,7 @@ from yade.wrapper import CurvatureMat
 from . import report, results, study
 from .bedgeometry import measureBed
 from .container import Container, cylinderContainer, setHeight
-from .engines import criticalTimeStep, superquadricEngines
+from .engines import criticalTimeStep, solverCounters, superquadricEngines
 from .filling import rainFilling
 from .impact import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
 from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, settle, stiffen
@@ -47,7 +48,7 @@ class ImpactRun:
         if any(os.path.exists(os.path.join(output, name)) for name in (SCENE, STATE)):
             raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
         os.makedirs(output, exist_ok=True)
-        run = cls(output, {'parameters': parameters, 'stage': 'pour', 'seconds': 0.0}, stream)
+        run = cls(output, {'parameters': parameters, 'stage': 'pour', 'seconds': 0.0, 'solver': {}}, stream)
         run._remove(report.FILES)
         run._build()
         return run
@@ -96,7 +97,7 @@ class ImpactRun:
 
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
-        self._countSeconds()
+        self._count()
         self.state['stepsLeft'] = self.stepper.left
         if self.recorder is not None:
             self._writeRecord()
@@ -191,7 +192,7 @@ class ImpactRun:
 
     def _report(self):
         self._openRecord()
-        self._countSeconds()
+        self._count()
         self.summary = report.write(self)
         self._remove((SCENE, STATE))  # the run is done: a checkpoint of it would only mislead
         self.state['stage'] = 'done'
@@ -206,10 +207,14 @@ class ImpactRun:
     def _writeRecord(self):
         results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
 
-    def _countSeconds(self):
+    def _count(self):
+        """Add to the totals of a run that may have been interrupted: time taken, solver's counters."""
         now = time.perf_counter()
         self.state['seconds'] += now - self._started
         self._started = now
+        solver = Counter(self.state['solver'])
+        solver.update(solverCounters(reset=True))
+        self.state['solver'] = dict(solver)
 
     def _remove(self, names):
         for name in names:

@@ -195,6 +195,7 @@ def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatc
     assert (tmp_path / 'force.csv').read_bytes() == (small[0] / 'force.csv').read_bytes()
     for part in ('bed', 'impact', 'P0', 'bufferingRatio', 'timeStep'):
         assert summary[part] == small[1][part]
+    assert summary['solver']['solves'] == pytest.approx(small[1]['solver']['solves'], rel=0.01)  # those of all parts
 
 
 def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
