@@ -1,7 +1,7 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
 .PHONY: help demo test build shell clean
 
-# The demonstration's arguments, here and nowhere else (its defaults are the paper's).
+# The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
 
 help:
@@ -14,7 +14,7 @@ help:
 	@echo 'Any other command with the plugin: tools/env COMMAND, e.g. tools/env yade script.py'
 
 demo:
-	@tools/env yade -n -x scripts/impact.py $(demoArguments)
+	@tools/env yade -n -x scripts/impact.py $(demoArguments) $(if $(wildcard demo/checkpoint.json),--resume)
 
 test:
 	@tools/env --target all true || { echo '0 passed, 1 failed'; exit 1; }
