@@ -24,7 +24,7 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
     :param sortedContacts: add up forces in the order of the bodies' ids. A scene that is saved, loaded and continued then equals
         one that never stopped, bit for bit on one thread; else the order changes with the loading, and the last digits
-        with it. Costs about a tenth of the time.
+        with it. YADE sorts anew in every step: a bed of 900 cubes takes a third longer a step.
     Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
     that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
 

@@ -12,6 +12,12 @@ Vector3 boxHalfExtents(const Shape& shape, const Matrix3& rotation)
 	return result;
 }
 
+bool boundingSpheresApart(const Shape& shape1, const Shape& shape2, const Vector3& between)
+{
+	const double radii = shape1.boundingRadius() + shape2.boundingRadius();
+	return between.squaredNorm() > radii * radii;
+}
+
 namespace {
 
 	// Half width of the body's oriented box along a direction given in the body's frame.

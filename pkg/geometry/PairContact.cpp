@@ -45,11 +45,11 @@ namespace {
 
 		bool apartBySpheres()
 		{
-			const double radii = problem_.body1().shape.boundingRadius() + problem_.body2().shape.boundingRadius();
-			if (!(problem_.between().squaredNorm() > radii * radii)) return false;
+			const Shape &shape1 = problem_.body1().shape, &shape2 = problem_.body2().shape;
+			if (!boundingSpheresApart(shape1, shape2, problem_.between())) return false;
 			++counters_.rejectedBySphere;
 			const double distance = problem_.between().norm();
-			setApart(problem_.between() / distance, distance / radii);
+			setApart(problem_.between() / distance, distance / (shape1.boundingRadius() + shape2.boundingRadius()));
 			return true;
 		}
 
