@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 using namespace superquadric;
 using namespace superquadric::testing;
 
@@ -93,4 +95,18 @@ TEST(Bounds, OrientedBoxTestSeparatesWhatItSaysAndMissesNothing)
 	}
 	EXPECT_GT(apart, 100);
 	EXPECT_GT(meeting, 100);
+}
+
+TEST(Bounds, SpheresApartWhenTheirCentresAreFartherThanTheRadii)
+{
+	RandomBodies random(44);
+	for (int i = 0; i < 100; ++i) {
+		const Shape shape1 = random.shape(), shape2 = random.shape(0.1);
+		const double reach = shape1.boundingRadius() + shape2.boundingRadius();
+		const Vector3 direction = random.direction();
+		EXPECT_TRUE(boundingSpheresApart(shape1, shape2, reach * (1 + 1e-12) * direction));
+		EXPECT_FALSE(boundingSpheresApart(shape1, shape2, reach * (1 - 1e-12) * direction));
+	}
+	const Shape cube(Vector3::Constant(1), 8, 8);
+	EXPECT_FALSE(boundingSpheresApart(cube, cube, Vector3(std::numeric_limits<double>::quiet_NaN(), 9, 9)));
 }
