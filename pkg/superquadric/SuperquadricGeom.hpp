@@ -36,8 +36,8 @@ public:
 		"half sizes (a wall takes the particle's). A pair that does not touch may keep such an object, without physics, as the memory of "
 		"the contact solver.",
 		((bool, touching, false, Attr::readonly, "Whether the bodies overlap: then penetrationDepth > 0, else it is negative without further meaning. |yupdate|"))
-		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 at X1, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
-		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 at X2, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 where the ray from its centre through X0 meets its surface (next to X1), eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 where the ray from its centre through X0 meets its surface (next to X2), eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
 		((Real, sectionRadius1, 0, Attr::readonly, "Radius of body 1's middle section across the normal, sqrt(a b c/h) with its half thickness h = (X1-centre).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, sectionRadius2, 0, Attr::readonly, "Radius of body 2's middle section across the normal, sqrt(a b c/h) with its half thickness h = (centre-X2).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
