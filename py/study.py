@@ -9,8 +9,8 @@ from yade.wrapper import CurvatureMat
 
 from . import checks
 from .bodies import SHAPES, particleShape
-from .container import checkCylinder
-from .filling import DENSEST, SOLID_FRACTION
+from .container import Container, checkCylinder
+from .filling import DENSEST, SOLID_FRACTION, particleNumber
 from .impact import CALIBRATED_DENSITY, CLEARANCE, speedAt
 
 Parameter = namedtuple('Parameter', 'name default unit check help')
@@ -125,8 +125,8 @@ def particleCount(parameters):
     """Number of particles that the parameters ask for."""
     if parameters['particles'] is not None:
         return parameters['particles']
-    area = math.pi / 4 * parameters['containerDiameter'] ** 2
-    return max(1, round(parameters['solidFraction'] * area * parameters['thickness'] / shapeOf(parameters).volume))
+    container = Container(None, (), parameters['containerDiameter'] / 2, None, None, parameters['containerHeight'])
+    return particleNumber(parameters['thickness'], shapeOf(parameters), container, parameters['solidFraction'])
 
 
 def _checkCapacity(parameters, shape):
