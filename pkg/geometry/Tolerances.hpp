@@ -62,4 +62,20 @@ constexpr int wallSectors = 256;
 constexpr double wallMargin = 0.2;
 constexpr int wallAscents = 100;
 
+// Weight of the pull towards the middle of the bodies in the choice of the contact centre, against the logarithm of the depth.
+// With 2, a flat face that tilts answers over the same angle, overlap over size, as an elastic foundation does.
+constexpr double centring = 2;
+
+// The contact centre on a flat wall is found after a step with a squared Newton decrement (its length in units of the contact's own
+// extent) below this: by quadratic convergence it leaves some 1e-8 of that extent. Other steps must gain this part of what their
+// slope promises, and are halved until they do or nothing of them is left.
+constexpr double lastWallDecrement = 1e-9;
+constexpr double wallDescent = 1e-4;
+constexpr double shortestWallStep = 1e-9;
+
+// Facets whose contact centres lie closer than this part of the body's smallest half size share one. A way into a neighbour leads down
+// clearly when it is this part as steep as the pull towards the middle; below, the facets compare the centres themselves.
+constexpr double seam = 1e-6;
+constexpr double clearlyDown = 1e-3;
+
 } // namespace superquadric::tolerances

@@ -8,18 +8,19 @@
 
 namespace superquadric {
 
-// Walls do not yield, so the overlap is measured to the body's support point across the wall's surface: where the gauge of the
-// wall's point X0 is g with gradient G, the normal is G/|G|, the overlap (1 - g)/|G| and the surface point centre + (X0 - centre)/g.
-// `lower` and `upper` bound g.
+// Walls do not yield: the contact's point and its second surface point are X0 on the wall, the overlap is the distance from there to
+// the body's surface against the wall. All three remember X0 (in the body's frame) in the warm start, and count what they do.
 
-// Half space behind the plane through `origin`; `outward` is its unit normal on the free side. Closed form.
-Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3& outward);
+// Half space behind the plane through `origin`; `outward` is its unit normal on the free side. The verdict is the support
+// function's, closed form, or a point of the wall in the body; X0 is the contact centre (WallCentre.hpp). `lower` and `upper` bound the
+// smallest gauge on the plane.
+Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3& outward, WarmStart& warm, SolverCounters& counters);
 
-// A triangle as a two-sided sheet without thickness: it pushes towards the side on which the body's centre is. X0 is the
-// triangle's point with the smallest gauge: inside it the plane's closed form, else by a convex search along the edges.
-// The vertices must not lie on a line. A triangle of a mesh knows nothing of its neighbours: under a flat face each one pushes by its
-// border. With `border` false only its inside pushes, and Apart then means no more than that X0 is not inside.
-Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& vertices, bool border = true);
+// A triangle as a two-sided sheet without thickness: it pushes towards the side on which the body's centre is. X0 is the minimiser of
+// the same objective on the triangle: inside it the plane's. On its border the normal is the objective's gradient, which turns on
+// from the plane's without a jump. The vertices must not lie on a line. What of it counts on a
+// mesh is told by FacetMesh.hpp.
+Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& vertices, WarmStart& warm, SolverCounters& counters);
 
 // The inside of a cylinder of the given radius about the line through `origin` along the unit vector `axis`, without end. The
 // contact is at the body's farthest point from the axis, where the normals agree as in eq. (4). The normal is radial, outwards;

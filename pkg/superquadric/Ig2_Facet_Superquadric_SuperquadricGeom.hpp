@@ -1,6 +1,8 @@
 #pragma once
 
 #include "ContactFunctor.hpp"
+#include "FacetNeighbours.hpp"
+#include "ThreadCounters.hpp"
 
 #include <pkg/common/Facet.hpp>
 
@@ -10,18 +12,32 @@ class Ig2_Facet_Superquadric_SuperquadricGeom : public ContactFunctor {
 public:
 	FUNCTOR2D(Facet, Superquadric);
 	DEFINE_FUNCTOR_ORDER_2D(Facet, Superquadric);
+	boost::python::dict counters() const { return solverCounters.asDict(); }
+	void resetCounters() { solverCounters.reset(); }
+	void findNeighbours();
+
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS(Ig2_Facet_Superquadric_SuperquadricGeom, IGeomFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Facet_Superquadric_SuperquadricGeom, IGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`Facet`, a sheet without thickness that pushes to the side on which the "
-		"particle's centre is, and a :yref:`Superquadric`. Each facet acts on its own: on a mesh, every facet that a flat face lies on pushes it by its border, "
-		"so that the mesh is as many times too stiff. Where the particles only meet the mesh's flat parts and hollow corners, as inside a container, set borders to False.",
-		((bool, borders, true, , "Whether the edges and corners of a facet push. When False a facet acts only where its inside is deepest in the particle: one contact on a flat mesh, "
-			"but none on the free rim of a sheet and on ridges, which particles then pass."))
+		"particle's centre is, and a :yref:`Superquadric`. Facets that share vertices act as one surface: a flat mesh pushes like a :yref:`Wall` however "
+		"it is cut into triangles, a ridge pushes once, a hollow corner from both sides. The facets of the scene are looked through when the number of bodies has "
+		"changed; a mesh may move, as long as its facets move together."
+		, , , .def("counters", &Ig2_Facet_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or resetCounters was called, all threads together.")
+		.def("resetCounters", &Ig2_Facet_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
+		.def("findNeighbours", &Ig2_Facet_Superquadric_SuperquadricGeom::findNeighbours, "Look again which facets of the scene share vertices: needed only after facets were "
+			"moved onto each other, or replaced by as many others.")
 	);
 	// clang-format on
 
 protected:
 	bool solve(const Shape& shape1, const Shape& shape2, const ContactPair& pair) override;
+
+private:
+	bool pushes(const superquadric::Placement& body, const superquadric::MeshFacet& facet, const superquadric::Contact& contact, const Scene& scene,
+	            superquadric::SolverCounters& counters);
+
+	ThreadCounters solverCounters;
+	FacetNeighbours neighbours;
 };
 REGISTER_SERIALIZABLE(Ig2_Facet_Superquadric_SuperquadricGeom);
 

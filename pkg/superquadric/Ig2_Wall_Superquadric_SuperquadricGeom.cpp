@@ -14,9 +14,10 @@ bool Ig2_Wall_Superquadric_SuperquadricGeom::solve(const Shape& shape1, const Sh
 	const int sense = wall.sense != 0 ? wall.sense : (height < 0 ? -1 : 1);
 	if (!pair.mustBeKept() && sense * height < 0) return false;
 
-	const auto contact = superquadric::contactPlane(body, pair.state1.pos, sense * Vector3r::Unit(wall.axis)).reversed();
-	if (!touches(contact)) return pair.part(contact);
-	return pair.touch(contact, {}, sideOf(body, contact.surface2, contact.normal, contact.curvature2));
+	auto warm = pair.warmStart();
+	const auto contact = superquadric::contactPlane(body, pair.state1.pos, sense * Vector3r::Unit(wall.axis), warm, solverCounters.ofThisThread()).reversed();
+	if (!touches(contact)) return pair.part(contact, warm);
+	return pair.touch(contact, {}, sideOf(body, contact.surface2, contact.normal, contact.curvature2), warm);
 }
 
 } // namespace yade

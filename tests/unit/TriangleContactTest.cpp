@@ -1,4 +1,4 @@
-// Planes against searches over the body's surface, triangles against a brute-force search over the triangle.
+// Triangles against a brute-force search over the triangle.
 #include <pkg/geometry/WallContact.hpp>
 
 #include "RandomBodies.hpp"
@@ -24,11 +24,18 @@ double gaugeAt(const Placement& body, const Vector3& x)
 
 Vector3 pointOf(const Triangle& v, double s, double t) { return v[0] + s * (v[1] - v[0]) + t * (v[2] - v[0]); }
 
-// The smallest gauge on the triangle: nested golden sections, the gauge being convex.
-double smallestGauge(const Placement& body, const Triangle& v)
+// What the contact centre minimises; outside the body it goes on with the gauge, higher than anywhere inside.
+double objectiveAt(const Placement& body, const Vector3& x)
+{
+	const double gauge = gaugeAt(body, x);
+	return gauge < 1 ? -std::log(1 - gauge) + body.toBody(x - body.position).cwiseQuotient(body.shape.halfSizes()).squaredNorm() : 100 * gauge;
+}
+
+// The smallest value on the triangle of what has one valley: nested golden sections.
+template <class Function> double smallestOn(const Triangle& v, const Function& function)
 {
 	const auto bestAlong = [&](Real s) {
-		const auto negative = [&](Real t) { return -gaugeAt(body, pointOf(v, double(s), double(t))); };
+		const auto negative = [&](Real t) { return -function(pointOf(v, double(s), double(t))); };
 		return negative(largestAt(negative, 0, 1 - s));
 	};
 	return -double(bestAlong(largestAt(bestAlong, 0, 1)));
@@ -42,6 +49,24 @@ Triangle randomTriangle(RandomBodies& random, double size)
 	return v;
 }
 
+Contact coldContact(const Placement& body, const Triangle& v)
+{
+	WarmStart warm;
+	SolverCounters counters;
+	const Contact contact = contactTriangle(body, v, warm, counters);
+	EXPECT_EQ(counters.uncertified, 0u);
+	EXPECT_EQ(counters.fallbacks, 0u);
+	return contact;
+}
+
+// Against the plane z = 0.
+Contact coldPlane(const Placement& body)
+{
+	WarmStart warm;
+	SolverCounters counters;
+	return contactPlane(body, Vector3::Zero(), Vector3::UnitZ(), warm, counters);
+}
+
 double distanceFrom(const Triangle& v, const Vector3& x)
 {
 	const Vector3 normal = (v[1] - v[0]).cross(v[2] - v[0]).normalized();
@@ -53,63 +78,19 @@ double distanceFrom(const Triangle& v, const Vector3& x)
 
 } // namespace
 
-TEST(WallContact, PlaneMeetsTheDeepestPoint)
-{
-	RandomBodies random(101);
-	for (int i = 0; i < 400; ++i) {
-		const double size = sizes[i % 4];
-		const Shape shape = random.shape(size);
-		const Placement body { shape, size * random.direction(), random.rotation() };
-		const Vector3 outward = random.direction();
-		const Vector3 origin = body.position - random.uniform(-0.5, 1.2) * shape.boundingRadius() * outward + size * outward.unitOrthogonal();
-		const Contact contact = contactPlane(body, origin, outward);
-
-		const double reach = double(ReferenceShape(shape).searchedSupport(body.toBody(outward)));
-		const double depth = reach - (body.position - origin).dot(outward), blur = 1e-13 * size;
-		EXPECT_NEAR(contact.overlap, depth, blur * 10);
-		ASSERT_EQ(contact.status, depth > 0 ? Status::Overlap : Status::Apart);
-		EXPECT_EQ(contact.normal, -outward); // from the body into the wall
-		EXPECT_NEAR(gaugeAt(body, contact.surface1), 1, 1e-12);
-		EXPECT_NEAR((contact.surface2 - origin).dot(outward), 0, blur * 10);
-		EXPECT_NEAR((contact.surface1 - contact.surface2).dot(contact.normal), contact.overlap, blur * 10);
-		EXPECT_NEAR(std::abs(contact.upper), gaugeAt(body, contact.point), 1e-11); // the plane's point deepest in the body
-		for (int k = 0; k < 100; ++k) {
-			const Vector3 other = body.position + body.toWorld(ReferenceShape(shape).surfacePoint(random.uniform(-pi / 2, pi / 2), random.uniform(-pi, pi)).cast<double>());
-			EXPECT_GE((other - contact.surface1).dot(outward), -blur * 10);
-		}
-	}
-}
-
-TEST(WallContact, PlaneLiftsByTheOverlap)
-{
-	RandomBodies random(102);
-	for (int i = 0; i < 200; ++i) {
-		const double size = sizes[i % 4];
-		const Shape shape = random.shape(size);
-		Placement body { shape, size * random.direction(), random.rotation() };
-		const Vector3 outward = random.direction(), origin = body.position - 0.9 * body.support(outward) * outward, place = body.position;
-		const Contact contact = contactPlane(body, origin, outward);
-		ASSERT_EQ(contact.status, Status::Overlap);
-		body.position = place - (1 + 1e-9) * contact.overlap * contact.normal;
-		EXPECT_EQ(contactPlane(body, origin, outward).status, Status::Apart);
-		body.position = place - (1 - 1e-9) * contact.overlap * contact.normal;
-		EXPECT_EQ(contactPlane(body, origin, outward).status, Status::Overlap);
-	}
-}
-
-TEST(WallContact, TriangleAgainstBruteForce)
+TEST(TriangleContact, AgainstBruteForce)
 {
 	RandomBodies random(103);
 	int overlaps = 0, aparts = 0;
-	for (int i = 0; i < 200; ++i) {
+	for (int i = 0; i < 100; ++i) {
 		const double size = sizes[i % 4];
 		const Shape shape = random.shape(size * random.logarithmic(0.1, 2));
 		const Triangle v = randomTriangle(random, size);
 		const Vector3 middle = (v[0] + v[1] + v[2]) / 3;
 		const Placement body { shape, middle + size * random.uniform(0, 1.5) * random.direction(), random.rotation() };
-		const double g = smallestGauge(body, v);
+		const double g = smallestOn(v, [&](const Vector3& x) { return gaugeAt(body, x); });
 		if (std::abs(g - 1) < 1e-9) continue;
-		const Contact contact = contactTriangle(body, v);
+		const Contact contact = coldContact(body, v);
 		ASSERT_EQ(contact.status, g < 1 ? Status::Overlap : Status::Apart) << "smallest gauge " << g;
 		(g < 1 ? overlaps : aparts)++;
 		if (contact.status == Status::Apart) {
@@ -121,8 +102,9 @@ TEST(WallContact, TriangleAgainstBruteForce)
 				EXPECT_GT((vertex - body.position).dot(contact.normal), reach * (1 - 1e-13));
 			continue;
 		}
-		EXPECT_NEAR(contact.upper, g, 1e-10);
-		EXPECT_NEAR(gaugeAt(body, contact.point), g, 1e-10);
+		EXPECT_NEAR(gaugeAt(body, contact.point), contact.upper, 1e-9);
+		const double objective = smallestOn(v, [&](const Vector3& x) { return objectiveAt(body, x); });
+		EXPECT_NEAR(objectiveAt(body, contact.point), objective, 1e-8);
 		EXPECT_LT(distanceFrom(v, contact.point), 1e-12 * size);
 		EXPECT_NEAR(gaugeAt(body, contact.surface1), 1, 1e-11);
 		EXPECT_NEAR(contact.normal.norm(), 1, 1e-13);
@@ -130,12 +112,12 @@ TEST(WallContact, TriangleAgainstBruteForce)
 		EXPECT_LT((body.position - middle).dot(contact.normal), shape.boundingRadius() + size); // finite
 		EXPECT_LT((body.position - contact.point).dot(contact.normal), 0); // pushes towards the centre's side
 	}
-	EXPECT_GT(overlaps, 40);
-	EXPECT_GT(aparts, 40);
+	EXPECT_GT(overlaps, 20);
+	EXPECT_GT(aparts, 20);
 }
 
 // A body carried over face, edge and vertex, and back: overlap, normal and point follow without jumps.
-TEST(WallContact, TriangleIsContinuousOverFaceEdgeAndVertex)
+TEST(TriangleContact, IsContinuousOverFaceEdgeAndVertex)
 {
 	const Triangle v { Vector3(0, 0, 0), Vector3(2, 0, 0), Vector3(0, 2, 0) };
 	RandomBodies random(104);
@@ -147,7 +129,7 @@ TEST(WallContact, TriangleIsContinuousOverFaceEdgeAndVertex)
 			// From over the face out across an edge (y < 0), then along it around the vertex at the origin.
 			const double s = 2e-4 * step;
 			const Vector3 path = s < 2 ? Vector3(0.6, 0.6 - 0.4 * s, 0.25) : Vector3(0.6 - 0.4 * (s - 2), -0.2, 0.25);
-			const Contact contact = contactTriangle(Placement { shape, path, rotation }, v);
+			const Contact contact = coldContact(Placement { shape, path, rotation }, v);
 			if (!contact.overlapping()) break;
 			if (step > 0) {
 				EXPECT_NEAR(contact.overlap, last.overlap, 1e-3);
@@ -160,17 +142,17 @@ TEST(WallContact, TriangleIsContinuousOverFaceEdgeAndVertex)
 }
 
 // Meeting the edge from inside, where the plane's closed form ends: both formulas give the same contact there.
-TEST(WallContact, TheFormulasOfFaceAndEdgeAgreeOnTheEdge)
+TEST(TriangleContact, TheFormulasOfFaceAndEdgeAgreeOnTheEdge)
 {
 	RandomBodies random(105);
 	for (int i = 0; i < 100; ++i) {
 		const Shape shape = random.shape(0.5);
 		const Matrix3 rotation = random.rotation();
 		const Placement body { shape, Vector3(0, 0, 0.9 * shape.support(rotation.row(2))), rotation };
-		const Vector3 deepest = contactPlane(body, Vector3::Zero(), Vector3::UnitZ()).point;
+		const Vector3 deepest = coldPlane(body).point;
 		for (double shift : { -1e-13, 1e-13 }) {
 			const Triangle v { deepest + Vector3(-3, shift, 0), deepest + Vector3(3, shift, 0), deepest + Vector3(0, 5, 0) };
-			const Contact contact = contactTriangle(body, v), plane = contactPlane(body, Vector3::Zero(), Vector3::UnitZ());
+			const Contact contact = coldContact(body, v), plane = coldPlane(body);
 			EXPECT_NEAR(contact.overlap, plane.overlap, 1e-10);
 			EXPECT_LT((contact.normal - plane.normal).norm(), 1e-5);
 			EXPECT_LT((contact.surface1 - plane.surface1).norm(), 1e-5);
@@ -180,16 +162,16 @@ TEST(WallContact, TheFormulasOfFaceAndEdgeAgreeOnTheEdge)
 }
 
 // A sheet: from below it pushes down; vertices may come in any order.
-TEST(WallContact, TriangleActsOnBothSidesInAnyOrderOfItsVertices)
+TEST(TriangleContact, ActsOnBothSidesInAnyOrderOfItsVertices)
 {
 	RandomBodies random(106);
 	for (int i = 0; i < 100; ++i) {
 		const Shape shape = random.shape(0.3);
 		const Triangle v = randomTriangle(random, 1), turned { v[2], v[0], v[1] }, reversed { v[1], v[0], v[2] };
 		const Placement body { shape, (v[0] + v[1] + v[2]) / 3 + 0.3 * random.direction(), random.rotation() };
-		const Contact contact = contactTriangle(body, v);
+		const Contact contact = coldContact(body, v);
 		for (const Triangle& other : { turned, reversed }) {
-			const Contact same = contactTriangle(body, other);
+			const Contact same = coldContact(body, other);
 			ASSERT_EQ(same.status, contact.status);
 			if (!contact.overlapping()) continue;
 			EXPECT_NEAR(same.overlap, contact.overlap, 1e-10);
@@ -198,19 +180,19 @@ TEST(WallContact, TriangleActsOnBothSidesInAnyOrderOfItsVertices)
 	}
 }
 
-TEST(WallContact, SphereOnAnEdgeAndOnAVertex)
+TEST(TriangleContact, SphereOnAnEdgeAndOnAVertex)
 {
 	const Triangle v { Vector3(0, 0, 0), Vector3(2, 0, 0), Vector3(0, 2, 0) };
 	const Shape sphere(Vector3::Constant(0.5), 2, 2);
-	const Contact edge = contactTriangle(Placement { sphere, Vector3(1, -0.24, 0.32), Matrix3::Identity() }, v);
+	const Contact edge = coldContact(Placement { sphere, Vector3(1, -0.24, 0.32), Matrix3::Identity() }, v);
 	EXPECT_NEAR(edge.overlap, 0.1, 1e-14);
 	EXPECT_LT((edge.normal - Vector3(0, 0.6, -0.8)).norm(), 1e-14);
-	const Contact vertex = contactTriangle(Placement { sphere, Vector3(-0.1, -0.2, 0.2), Matrix3::Identity() }, v);
+	const Contact vertex = coldContact(Placement { sphere, Vector3(-0.1, -0.2, 0.2), Matrix3::Identity() }, v);
 	EXPECT_NEAR(vertex.overlap, 0.2, 1e-14);
 	EXPECT_LT((vertex.normal - Vector3(1, 2, -2) / 3).norm(), 1e-14);
 	// With the centre on the edge there is no side; any unit normal will do, but none that is not a number.
 	for (const Vector3& centre : { Vector3(1, 0, 0), Vector3(0, 0, 0), Vector3(2.0 / 3, 4.0 / 3, 0), Vector3(0.1, 1.9, 0) }) {
-		const Contact within = contactTriangle(Placement { sphere, centre, Matrix3::Identity() }, v);
+		const Contact within = coldContact(Placement { sphere, centre, Matrix3::Identity() }, v);
 		EXPECT_EQ(within.status, Status::Overlap);
 		EXPECT_NEAR(within.normal.norm(), 1, 1e-12) << centre.transpose();
 		EXPECT_TRUE(std::isfinite(within.overlap)) << centre.transpose();
@@ -218,7 +200,7 @@ TEST(WallContact, SphereOnAnEdgeAndOnAVertex)
 }
 
 // A small grain on a large facet, as in a mesh of a machine.
-TEST(WallContact, GrainsFarSmallerThanTheTriangle)
+TEST(TriangleContact, GrainsFarSmallerThanTheTriangle)
 {
 	RandomBodies random(107);
 	for (int i = 0; i < 200; ++i) {
@@ -228,31 +210,8 @@ TEST(WallContact, GrainsFarSmallerThanTheTriangle)
 		const Shape shape = random.shape(1e-4);
 		const Matrix3 rotation = random.rotation();
 		const Placement body { shape, onEdge - outwards * 0.9999 * shape.smallestHalfSize(), rotation };
-		EXPECT_EQ(contactTriangle(body, v).status, Status::Overlap);
+		EXPECT_EQ(coldContact(body, v).status, Status::Overlap);
 		const Placement far { shape, onEdge - outwards * 1.0001 * shape.boundingRadius(), rotation };
-		EXPECT_EQ(contactTriangle(far, v).status, Status::Apart);
-	}
-}
-
-// A flat face on a floor of triangles: with borders each triangle under it pushes, without them one, like the plane.
-TEST(WallContact, WithoutBordersAFlatMeshActsAsThePlane)
-{
-	const Shape cube(Vector3::Constant(1), 8, 8);
-	for (double place : { 0.1, 0.37, 0.73 }) {
-		const Placement body { cube, Vector3(place, 0.3 * place, 1 - 1e-3), Matrix3::Identity() };
-		int withBorders = 0, without = 0;
-		for (int i = -4; i < 4; ++i)
-			for (int k = -4; k < 4; ++k)
-				for (bool lower : { true, false }) {
-					const Vector3 corner(0.5 * i, 0.5 * k, 0), x(0.5, 0, 0), y(0, 0.5, 0);
-					const Triangle v = lower ? Triangle { corner, corner + x, corner + y } : Triangle { corner + x + y, corner + y, corner + x };
-					withBorders += contactTriangle(body, v).overlapping();
-					const Contact contact = contactTriangle(body, v, false);
-					if (!contact.overlapping()) continue;
-					++without;
-					EXPECT_NEAR(contact.overlap, 1e-3, 1e-12);
-				}
-		EXPECT_EQ(without, 1);
-		EXPECT_GT(withBorders, 10);
+		EXPECT_EQ(coldContact(far, v).status, Status::Apart);
 	}
 }

@@ -1,0 +1,34 @@
+// Which facets of the scene share a vertex: found once, looked up by every contact near a facet's border.
+#pragma once
+
+#include <core/Scene.hpp>
+#include <pkg/common/Facet.hpp>
+#include <pkg/geometry/FacetMesh.hpp>
+
+#include <atomic>
+#include <mutex>
+#include <unordered_map>
+
+namespace yade {
+
+// The facet in space.
+superquadric::MeshFacet meshFacet(const Facet& facet, const State& state, Body::id_t id);
+
+class FacetNeighbours {
+public:
+	// Looks for them when the scene has other bodies than last time, or `again`. May be called by all threads at once.
+	void find(const Scene& scene, bool again = false);
+
+	// Those that still share a vertex with the facet, where they are now. A mesh may move; what moves away from another is no neighbour.
+	std::vector<superquadric::MeshFacet> of(const superquadric::MeshFacet& facet, const Scene& scene) const;
+
+private:
+	void search(const Scene& scene);
+
+	std::unordered_map<Body::id_t, std::vector<Body::id_t>> neighbours;
+	std::mutex searching;
+	std::atomic<const Scene*> searchedScene { nullptr };
+	std::atomic<size_t> searchedBodies { 0 };
+};
+
+} // namespace yade
