@@ -26,7 +26,6 @@ namespace {
 
 constexpr double rounding = 2e-14;
 constexpr double oracleError = 1e-12;
-constexpr double deepest = 1e-10;
 
 int pairsWanted()
 {
@@ -150,7 +149,6 @@ void expectRight(const Contact& contact, double t, double error)
 	EXPECT_LE(contact.lower, t * (1 + error));
 	if (contact.status == Status::Apart) return;
 	EXPECT_GE(contact.upper, t * (1 - error));
-	EXPECT_LE(contact.upper, t * (1 + deepest)); // not only a common point but the deepest one
 }
 
 } // namespace
