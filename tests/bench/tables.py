@@ -6,6 +6,8 @@ import numpy as np
 KERNEL_GROUPS = (("shape", "Contact solver by shape [ns a call]", "shape, n1-n2"),
                  ("exponent", "Contact solver by exponent, n1 = n2, equal half sizes [ns a call]", "exponent"),
                  ("aspect", "Contact solver by aspect ratio c/a, n = 8 [ns a call]", "c/a"))
+SOLVER_ALONE = {"bed/touching": "its pairs that touch", "bed/apart": "its pairs apart, if all were asked"}
+NEGLIGIBLE = 1e-3  # of a step: parts of engines below are left out
 
 
 def report(result):
@@ -106,19 +108,26 @@ def phaseTable(result):
     phases = result["phases"]
     total = np.median([sum(phase["seconds"] for phase in run.values()) for run in phases])
     rows = []
+
+    def add(title, times):
+        rows.append((title, spread(1e6 * np.array(times), "{:.0f}"), f"{100 * np.median(times) / total:.1f} %"))
+
     for name in phases[0]:
-        time = np.array([run[name]["seconds"] for run in phases])
-        rows.append((name, spread(1e6 * time, "{:.0f}"), f"{100 * np.median(time) / total:.1f} %"))
+        add(name, [run[name]["seconds"] for run in phases])
+        for part in phases[0][name]["parts"]:
+            times = [run[name]["parts"][part] for run in phases]
+            if np.median(times) > NEGLIGIBLE * total:
+                add(f"- {part}", times)
         if name.endswith("InteractionLoop"):
-            rows += [kernelRow(part, samples, total) for part, samples in result["bedKernel"].items()]
+            for part, title in SOLVER_ALONE.items():
+                samples = result["bedKernel"][part]
+                add(solverAlone(title, samples), [1e-9 * sample["cpu_time"] * sample["pairs"] for sample in samples])
     return table("A step of 3,000 cubes, by engine", ("phase", "us a step", "of the step"), rows)
 
 
-def kernelRow(part, samples, total):
-    cost, count = np.array([sample["cpu_time"] for sample in samples]), np.median([sample["pairs"] for sample in samples])
-    title = {"bed/touching": "its pairs that touch", "bed/apart": "its pairs apart, if all were asked"}[part]
-    return (f"- solver alone: {title}, {count:.0f} at {np.median(cost):.0f} ns", spread(1e-3 * cost * count, "{:.0f}"),
-            f"{100 * np.median(cost) * count * 1e-9 / total:.1f} %")
+def solverAlone(title, samples):
+    count, cost = (np.median([sample[key] for sample in samples]) for key in ("pairs", "cpu_time"))
+    return f"- solver alone: {title}, {count:.0f} at {cost:.0f} ns"
 
 
 def kernelTable(kernel, group, title, first):
