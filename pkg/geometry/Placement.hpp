@@ -23,10 +23,11 @@ struct Placement {
 
 	const Shape& shape;
 	Vector3 position; // [m]
-	Matrix3 rotation; // body frame to world
+	// Constant, because it and the frame belong together: a body that turns gets a new placement.
+	const Matrix3 rotation; // body frame to world
 	// The body's axes over its half sizes [1/m]: its transpose takes a world vector to the coordinates that count half sizes, itself it
 	// takes a gradient in those to the world.
-	Matrix3 frame;
+	const Matrix3 frame;
 
 	Vector3 toBody(const Vector3& worldDirection) const { return rotation.transpose() * worldDirection; }
 	Vector3 toWorld(const Vector3& bodyDirection) const { return rotation * bodyDirection; }

@@ -105,10 +105,9 @@ struct Asked {
 	{
 		const Shape shape1(size * pair.sizes1, pair.n11, pair.n12), shape2(size * pair.sizes2, pair.n21, pair.n22);
 		const Placement body1 { shape1, size * pair.place, pair.rotation1 }, body2 { shape2, size * (pair.place + between), pair.rotation2 };
-		Placement moved = body2;
 		const double motion = pair.random.logarithmic(1e-6, 1e-2);
-		moved.position += motion * std::min(shape1.smallestHalfSize(), shape2.smallestHalfSize()) * pair.random.direction();
-		moved.rotation = turn(motion, pair.random.direction()) * body2.rotation;
+		const Vector3 shift = motion * std::min(shape1.smallestHalfSize(), shape2.smallestHalfSize()) * pair.random.direction();
+		const Placement moved { shape2, body2.position + shift, turn(motion, pair.random.direction()) * body2.rotation };
 		WarmStart warm;
 		const Placement* const places[] = { &body2, &moved, &body2 };
 		for (const Placement* second : places) {
