@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo test build shell clean
+.PHONY: help demo test bench bench-quick build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -7,6 +7,7 @@ demoArguments = --output demo
 help:
 	@echo 'make demo    a bed of cubes cushions a blow: results and pictures in demo/'
 	@echo 'make test    all tests; the last line counts them'
+	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
 	@echo 'make build   the plugin and the C++ tests, without running anything'
 	@echo 'make shell   the console of YADE with the plugin (the 3D view where there is a display)'
 	@echo 'make clean   remove the results of the demo and the build directories of this project'
@@ -19,6 +20,12 @@ demo:
 test:
 	@tools/env --target all true || { echo '0 passed, 1 failed'; exit 1; }
 	@tools/env tests/run
+
+bench:
+	@tools/env --with bench --target kernel_bench tests/bench/run
+
+bench-quick:
+	@tools/env --with bench --target kernel_bench tests/bench/run --quick
 
 build:
 	@tools/env --target all true

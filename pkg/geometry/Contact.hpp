@@ -16,12 +16,12 @@ enum class Status { Apart, Touching, Overlap, Uncertified };
 
 struct Contact {
 	Status status = Status::Uncertified;
-	Vector3 point = Vector3::Zero(); // X0 of eq. (2): equally deep in both bodies; world frame [m]
+	Vector3 point = Vector3::Zero(); // X0: equally deep in both bodies; world frame [m]
 	Vector3 normal = Vector3::Zero(); // unit, body 1 to body 2; the separating direction when Apart
 	double overlap = 0; // [m]; meaningful only for Overlap and Touching
 	Vector3 surface1 = Vector3::Zero(), surface2 = Vector3::Zero(); // X_i and X_j [m]
-	double curvature1 = 0, curvature2 = 0; // mean curvature where the ray from each centre through X0 meets the surface, 0 for a wall [1/m]
-	double lower = 0, upper = 0; // bounds of t*; lower stays 0 where an overlap needs none
+	double curvature1 = 0, curvature2 = 0; // mean curvature at the surface points, 0 for a wall [1/m]
+	double lower = 0, upper = 0; // bounds of t*; lower stays 0 where an overlap needs none, upper is the scaling at X0
 
 	Vector3 middle() const { return 0.5 * (surface1 + surface2); }
 	bool overlapping() const { return status == Status::Overlap; }
@@ -29,12 +29,16 @@ struct Contact {
 	Contact reversed() const;
 };
 
-// What a solver remembers of a pair from one step to the next. Both vectors are in the frame of body 1, so that they move
-// with it.
+// What a solver remembers of a pair from one step to the next.
 struct WarmStart {
 	enum Kind { None = 0, Point = 1, Direction = 2 };
 	int kind = None;
-	Vector3 value = Vector3::Zero(); // the last point X0 from centre 1 [m], or the last separating direction [-]
+	// The last point X0 from centre 1 [m], or the last separating direction [-]; in the frame of body 1, so that it moves with it.
+	Vector3 value = Vector3::Zero();
+	// Of a direction, how it was proved: the same direction in the frame of body 2, and the sum of the supports along it [m]. While
+	// body 2 turns a little, its support grows by no more than its bounding radius times the change of the direction.
+	Vector3 seenBy2 = Vector3::Zero();
+	double supports = 0;
 };
 
 // Counts of a solver, for trust: nothing is resolved in silence.

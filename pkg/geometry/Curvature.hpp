@@ -3,10 +3,22 @@
 
 #include "Shape.hpp"
 
+#include <cmath>
+
 namespace superquadric {
 
 // Of the level surface of the gauge through the point where `gauge` was taken [1/m].
 double meanCurvature(const GaugeValue& gauge);
+
+// The same from the derivatives in half sizes: half the trace of the Hessian across the
+// normal over the slope.
+inline double meanCurvature(const GaugeJet& jet, const Vector3& inverseHalfSizes)
+{
+	const Vector3 squares = inverseHalfSizes.cwiseAbs2(), dual = jet.gradient.cwiseProduct(squares);
+	const double slopeSquared = jet.gradient.dot(dual);
+	const double trace = Vector3(jet.h11, jet.h22, jet.h33).dot(squares) - jet.rank * slopeSquared;
+	return (slopeSquared * trace - jet.form(dual)) / (2 * slopeSquared * std::sqrt(slopeSquared));
+}
 
 // Of the body's surface on the ray from its centre through `bodyPoint` (not the centre) [1/m].
 double meanCurvature(const Shape& shape, const Vector3& bodyPoint);

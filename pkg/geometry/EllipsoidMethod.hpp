@@ -13,4 +13,7 @@ struct ScalingBounds {
 
 ScalingBounds minimiseScaling(const PairProblem& problem);
 
+// The contact centre (PairProblem.hpp) of bodies that overlap, from the point of least scaling: bounds.upper < 1.
+Vector3 contactCentre(const PairProblem& problem, const ScalingBounds& bounds);
+
 } // namespace superquadric

@@ -1,11 +1,10 @@
 #include "PairContact.hpp"
 
 #include "Bounds.hpp"
-#include "Curvature.hpp"
 #include "EllipsoidMethod.hpp"
 #include "PairProblem.hpp"
+#include "Processor.hpp"
 #include "Surface.hpp"
-#include "Tolerances.hpp"
 
 #include <algorithm>
 #include <array>
@@ -16,29 +15,48 @@ namespace {
 
 	class PairSolver {
 	public:
-		PairSolver(const Placement& body1, const Placement& body2, WarmStart& warm, SolverCounters& counters)
+		PairSolver(const Placement& body1, const Placement& body2, WarmStart& warm, SolverCounters& counters, Contact& contact)
 		        : problem_(body1, body2)
 		        , warm_(warm)
 		        , counters_(counters)
+		        , contact_(contact)
 		{
 		}
 
-		Contact solve()
+		void solve()
 		{
 			++counters_.solves;
-			if (problem_.between().isZero(0)) return concentric();
-			if (apartByRememberedDirection() || apartBySpheres() || apartByBoxes()) return contact_;
-			const bool cold = warm_.kind != WarmStart::Point;
-			if (cold) ++counters_.coldStarts;
-			if (newton(cold ? problem_.balancedStart() : problem_.centre1() + problem_.body1().toWorld(warm_.value))) return contact_;
-			return fallback();
+			if (warm_.kind == WarmStart::Point && newton(problem_.centre1() + problem_.body1().toWorld(warm_.value))) return;
+			if (warm_.kind == WarmStart::Direction && apartByRememberedDirection()) return;
+			solveCold();
 		}
 
 	private:
+		__attribute__((noinline)) void solveCold()
+		{
+			if (problem_.between().isZero(0)) return engulfed(problem_.centre1());
+			if (apartBySpheres() || apartByBoxes()) return;
+			++counters_.coldStarts;
+			if (newton(problem_.balancedStart())) return;
+			fallback();
+		}
+
+		// The sum of the supports is known for the directions in which either body saw it last; the plane follows body 1, and as body 2
+		// turns under it, its support changes by its bounding radius times the change at most. Only when that does not suffice is the
+		// support computed anew.
 		bool apartByRememberedDirection()
 		{
-			if (warm_.kind != WarmStart::Direction) return false;
-			if (!proveApart(problem_.body1().toWorld(warm_.value))) return false;
+			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
+			const Vector3 direction = body1.toWorld(warm_.value);
+			const double distance = direction.dot(problem_.between());
+			const double turned = (body2.toBody(direction) - warm_.seenBy2).norm();
+			const double reach = (warm_.supports + turned * body2.shape.boundingRadius()) * (1 + tolerances::supportRounding);
+			if (warm_.supports > 0 && distance > reach) {
+				contact_.status = Status::Apart;
+				contact_.normal = direction;
+				contact_.lower = distance / reach;
+			} else if (!proveApart(direction))
+				return false;
 			++counters_.rejectedByDirection;
 			return true;
 		}
@@ -48,8 +66,8 @@ namespace {
 			const Shape &shape1 = problem_.body1().shape, &shape2 = problem_.body2().shape;
 			if (!boundingSpheresApart(shape1, shape2, problem_.between())) return false;
 			++counters_.rejectedBySphere;
-			const double distance = problem_.between().norm();
-			setApart(problem_.between() / distance, distance / (shape1.boundingRadius() + shape2.boundingRadius()));
+			const double distance = problem_.between().norm(), radii = shape1.boundingRadius() + shape2.boundingRadius();
+			setApart(problem_.between() / distance, distance, radii);
 			return true;
 		}
 
@@ -59,38 +77,59 @@ namespace {
 			if (warm_.kind == WarmStart::Point || !orientedBoxesApart(problem_.body1(), problem_.body2(), problem_.between(), direction)) return false;
 			// The boxes hold the bodies, so their axis proves the bodies apart too.
 			++counters_.rejectedByBox;
-			setApart(direction, std::max(problem_.lowerBound(direction), 1.0));
+			const double distance = direction.dot(problem_.between());
+			setApart(direction, distance, std::min(problem_.supports(direction), distance));
 			return true;
 		}
 
 		bool proveApart(const Vector3& direction)
 		{
-			const double lower = problem_.lowerBound(direction);
-			if (!(lower > 1)) return false;
-			setApart(direction, lower);
+			const double length = direction.norm(), distance = direction.dot(problem_.between()) / length, supports = problem_.supports(direction) / length;
+			if (!(distance > supports)) return false;
+			setApart(direction / length, distance, supports);
 			return true;
 		}
 
-		void setApart(const Vector3& direction, double lower)
+		// The bodies' centres are `distance` apart along a unit vector, and their supports along it are no more than `supports`.
+		void setApart(const Vector3& direction, double distance, double supports)
 		{
 			contact_.status = Status::Apart;
-			contact_.normal = direction.normalized();
-			contact_.lower = lower;
+			contact_.normal = direction;
+			contact_.lower = distance / supports;
 			warm_.kind = WarmStart::Direction;
-			warm_.value = problem_.body1().toBody(contact_.normal);
+			warm_.value = problem_.body1().toBody(direction);
+			warm_.seenBy2 = problem_.body2().toBody(direction);
+			warm_.supports = supports;
 		}
 
-		// What a step must lower, one of two: the scaling, or the scaling with a balance of unlike bodies.
+		// What a step must lower, one of two: the scaling, or the scaling with a balance of unlike bodies. Of bodies that overlap the scaling is
+		// that of the contact centre's objective, made to be 1 where t is.
 		struct Merits {
 			double upper, balanced;
 		};
-		static Merits meritsOf(const PairPoint& point) { return { point.upper(), point.balancedScaling() }; }
+		Merits meritsOf(const PairPoint& point) const
+		{
+			const double drawn = std::exp(-tolerances::centring * (point.offCentre() - offCentreAtStart_));
+			const auto objective = [&](double t) { return t < 1 ? 1 - (1 - t) * drawn : t; };
+			return { objective(point.upper()), objective(point.balancedScaling()) };
+		}
 
 		// True when it ended with a verdict, kept in contact_.
 		bool newton(const Vector3& start)
 		{
 			PairPoint point = problem_.at(start);
-			// A step is compared with the worst of the last three: eq. (3) balances the gauges to second order only, so a good step may
+			if (!(point.slope > 0)) return false;
+			const NewtonStep step = problem_.newtonStep(point, 0);
+			if (isLast(step) && point.upper() < 1) return accept(point, step);
+			return iterate(point);
+		}
+
+		static bool isLast(const NewtonStep& step) { return step.length <= tolerances::lastStep || step.residual <= tolerances::normalRounding; }
+
+		bool iterate(PairPoint point)
+		{
+			offCentreAtStart_ = point.offCentre();
+			// A step is compared with the worst of the last three: the conditions balance the gauges to second order only, so a good step may
 			// raise the scaling a little.
 			std::array<Merits, 3> recent;
 			recent.fill(meritsOf(point));
@@ -98,9 +137,13 @@ namespace {
 			for (int i = 0; i < tolerances::newtonIterations; ++i) {
 				if (!(point.slope > 0)) return false;
 				if (point.upper() > 1 && proveApart(point.axis)) return true;
-				if (problem_.converged(point)) return accept(point);
+				const NewtonStep step = problem_.newtonStep(point, regularisation);
+				if (regularisation == 0 && isLast(step)) {
+					if (point.upper() < 1) return accept(point, step);
+					if (touching(point)) return true;
+				}
 				++counters_.iterations;
-				const PairPoint next = problem_.at(point.x + problem_.newtonStep(point, regularisation));
+				const PairPoint next = problem_.at(point.x + step.step);
 				const Merits merits = meritsOf(next);
 				if (noWorse(merits, recent)) {
 					point = next;
@@ -122,77 +165,90 @@ namespace {
 			return merits.upper <= worst.upper + tolerances::gaugeRounding || merits.balanced <= worst.balanced + tolerances::gaugeRounding;
 		}
 
-		Contact fallback()
+		__attribute__((noinline)) void fallback()
 		{
 			++counters_.fallbacks;
 			const ScalingBounds bounds = minimiseScaling(problem_);
-			if (newton(bounds.x)) return contact_;
-			const PairPoint point = problem_.at(bounds.x);
-			for (const Vector3& direction : { point.axis, point.gauge1.gradient, Vector3(-point.gauge2.gradient) })
-				if (proveApart(direction)) return contact_;
-			if (!accept(point, bounds.lower)) ++counters_.uncertified;
-			return contact_;
+			if (newton(bounds.x)) return;
+			PairPoint point = problem_.at(bounds.x);
+			for (const Vector3& direction : { point.axis, point.at1.gradient, Vector3(-point.at2.gradient) })
+				if (proveApart(direction)) return;
+			if (point.upper() < 1) {
+				const Vector3 centre = contactCentre(problem_, bounds);
+				if (newton(centre)) return;
+				engulfed(centre);
+			} else if (!touching(point, bounds.lower))
+				++counters_.uncertified;
 		}
 
-		// An overlap is proved by the point; what is within rounding of contact is called touching.
-		bool accept(const PairPoint& point, double lower = 0)
+		// What is within rounding of contact.
+		bool touching(PairPoint& point, double lower = 0)
 		{
-			contact_.upper = point.upper();
+			lower = std::max(lower, problem_.lowerBound(point.axis));
+			if (!(point.upper() - 1 <= tolerances::touching && 1 - lower <= tolerances::touching)) return false;
+			accept(point, still());
+			contact_.status = Status::Touching;
 			contact_.lower = lower;
-			contact_.status = Status::Overlap;
-			if (!(point.upper() < 1)) {
-				contact_.lower = std::max(lower, problem_.lowerBound(point.axis));
-				const bool close = point.upper() - 1 <= tolerances::touching && 1 - contact_.lower <= tolerances::touching;
-				contact_.status = close ? Status::Touching : Status::Uncertified;
-			}
-			describe(point);
-			return contact_.status != Status::Uncertified;
+			return true;
 		}
 
-		// Normal, surface points along it, overlap and curvatures: the text below eq. (3).
-		void describe(const PairPoint& point)
-		{
-			const double alpha = distanceToSurface(problem_.body1(), point.x - problem_.centre1(), point.axis, point.gauge1);
-			const double beta = -distanceToSurface(problem_.body2(), point.x - problem_.centre2(), -point.axis, point.gauge2);
-			contact_.point = problem_.body1().position + (point.x - problem_.centre1());
-			contact_.normal = point.axis;
-			contact_.overlap = alpha - beta;
-			contact_.surface1 = contact_.point + alpha * point.axis;
-			contact_.surface2 = contact_.point + beta * point.axis;
-			contact_.curvature1 = meanCurvature(point.gauge1) * point.gauge1.value;
-			contact_.curvature2 = meanCurvature(point.gauge2) * point.gauge2.value;
-			warm_.kind = WarmStart::Point;
-			warm_.value = problem_.body1().toBody(point.x - problem_.centre1());
-		}
+		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0, 0 }; }
 
-		// No direction is marked when the centres coincide: the first axis of body 1 is taken.
-		Contact concentric()
+		// The contact at the end of a last step: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
+		bool accept(PairPoint& point, const NewtonStep& last)
 		{
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
-			const Vector3 axis = body1.rotation.col(0);
+			const double guess1 = firstGuess(body1, point.at1, point.axis), guess2 = firstGuess(body2, point.at2, -point.axis);
+			if (last.length <= tolerances::lastStep) problem_.advance(point, last); // else it is made of rounding
+			describe(point, guess1, guess2);
+			return true;
+		}
+
+		void describe(const PairPoint& point, double guess1, double guess2)
+		{
+			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
+			const SurfacePoint surface1 = surfaceAlong(body1, point.at1, point.axis, guess1), surface2 = surfaceAlong(body2, point.at2, -point.axis, guess2);
+			const Vector3 from1 = point.x - problem_.centre1();
 			contact_.status = Status::Overlap;
-			contact_.point = body1.position;
-			contact_.normal = axis;
-			contact_.surface1 = body1.position + distanceToSurface(body1, Vector3::Zero(), axis) * axis;
-			contact_.surface2 = body2.position - distanceToSurface(body2, Vector3::Zero(), -axis) * axis;
-			contact_.overlap = (contact_.surface1 - contact_.surface2).dot(axis);
-			contact_.curvature1 = meanCurvature(body1.shape, body1.toBody(contact_.surface1 - body1.position));
-			contact_.curvature2 = meanCurvature(body2.shape, body2.toBody(contact_.surface2 - body2.position));
-			warm_ = WarmStart();
-			return contact_;
+			contact_.upper = point.upper();
+			contact_.point = body1.position + from1;
+			contact_.normal = point.axis;
+			contact_.overlap = surface1.distance + surface2.distance;
+			contact_.surface1 = contact_.point + surface1.distance * point.axis;
+			contact_.surface2 = contact_.point - surface2.distance * point.axis;
+			contact_.curvature1 = surface1.curvature;
+			contact_.curvature2 = surface2.curvature;
+			warm_.kind = WarmStart::Point;
+			warm_.value = body1.toBody(from1);
+		}
+
+		// One body has swallowed the other's middle, far beyond what any contact model is for: no common normal is to be had, and the line of
+		// centres gives one, or when the centres coincide, the first axis of body 1.
+		void engulfed(const Vector3& x)
+		{
+			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
+			const bool concentric = problem_.between().isZero(0);
+			PairPoint point = problem_.at(x);
+			point.axis = concentric ? Vector3(body1.rotation.col(0)) : Vector3(problem_.between().stableNormalized());
+			describe(point, 2 * body1.shape.boundingRadius(), 2 * body2.shape.boundingRadius());
+			if (concentric) warm_ = WarmStart();
 		}
 
 		PairProblem problem_;
 		WarmStart& warm_;
 		SolverCounters& counters_;
-		Contact contact_;
+		Contact& contact_;
+		double offCentreAtStart_ = 0;
 	};
 
 } // namespace
 
+SUPERQUADRIC_FOR_EACH_PROCESSOR
 Contact contactPair(const Placement& body1, const Placement& body2, WarmStart& warm, SolverCounters& counters)
 {
-	return PairSolver(body1, body2, warm, counters).solve();
+	Contact contact;
+	PairSolver(body1, body2, warm, counters, contact).solve();
+	return contact;
 }
 
 } // namespace superquadric

@@ -54,6 +54,7 @@ Shape::Shape(const Vector3& halfSizes, double n1, double n2)
         : halfSizes_(halfSizes)
         , n1_(requireExponent("n1", n1))
         , n2_(requireExponent("n2", n2))
+        , side_(n1 / n2 - 1)
 {
 	const char* names[] = { "extents[0]", "extents[1]", "extents[2]" };
 	for (int axis = 0; axis < 3; ++axis)
@@ -61,44 +62,6 @@ Shape::Shape(const Vector3& halfSizes, double n1, double n2)
 	inverse_        = halfSizes.cwiseInverse();
 	smallest_       = halfSizes.minCoeff();
 	boundingRadius_ = farthestPoint(halfSizes, n1, n2);
-}
-
-// The gauge as two nested norms, s = |(x/a, y/b)|_n2 and g = |(s, z/c)|_n1, with the ratios its derivatives are made of.
-// They lie in [0, 1], so that no power of them overflows.
-struct Shape::Ratios {
-	double gauge;
-	double sByG, zByG, xByS, yByS; // s/g, |z/c|/g, |x/a|/s, |y/b|/s
-	double sByGPower, zByGPower, xBySPower, yBySPower; // the same to the power n - 2
-	Vector3 signs;
-};
-
-Shape::Ratios Shape::ratiosAt(const Vector3& x) const
-{
-	const Vector3 u = x.cwiseProduct(inverse_).cwiseAbs();
-	const double s = n2_.norm(u.x(), u.y());
-	Ratios r;
-	r.gauge = n1_.norm(s, u.z());
-	r.sByG = s / r.gauge;
-	r.zByG = u.z() / r.gauge;
-	// On the z axis any split between x and y gives the same first derivative, zero; the even one is taken.
-	const double even = s > 0 ? 0 : 1 / n2_.root(2.0);
-	r.xByS = s > 0 ? u.x() / s : even;
-	r.yByS = s > 0 ? u.y() / s : even;
-	r.sByGPower = n1_.powerLessTwo(r.sByG);
-	r.zByGPower = n1_.powerLessTwo(r.zByG);
-	r.xBySPower = n2_.powerLessTwo(r.xByS);
-	r.yBySPower = n2_.powerLessTwo(r.yByS);
-	for (int axis = 0; axis < 3; ++axis)
-		r.signs[axis] = std::copysign(inverse_[axis], x[axis]);
-	return r;
-}
-
-Vector3 Shape::gradientOf(const Ratios& r) const
-{
-	const double bySide = r.sByGPower * r.sByG;
-	return { r.signs.x() * bySide * r.xBySPower * r.xByS,
-		     r.signs.y() * bySide * r.yBySPower * r.yByS,
-		     r.signs.z() * r.zByGPower * r.zByG };
 }
 
 double Shape::gauge(const Vector3& x) const
@@ -109,52 +72,17 @@ double Shape::gauge(const Vector3& x) const
 
 GaugeValue Shape::gaugeWithGradient(const Vector3& x) const
 {
+	const GaugeJet local = jet(x.cwiseProduct(inverse_));
 	GaugeValue result;
-	if (x.isZero(0)) {
-		result.value = 0;
-		result.gradient.setZero();
-		return result;
-	}
-	const Ratios r = ratiosAt(x);
-	result.value = r.gauge;
-	result.gradient = gradientOf(r);
+	result.value = local.value;
+	result.gradient = local.gradient.cwiseProduct(inverse_);
 	return result;
 }
 
 GaugeValue Shape::gaugeWithHessian(const Vector3& x) const
 {
-	GaugeValue result;
-	if (x.isZero(0)) {
-		result.value = 0;
-		result.gradient.setZero();
-		result.hessian.setZero();
-		return result;
-	}
-	const Ratios r = ratiosAt(x);
-	result.value = r.gauge;
-	result.gradient = gradientOf(r);
-
-	// Second derivatives of g(s, z): (n1 - 1)/g times the curvature of the outer norm; of s(x, y) likewise. The factor 1/s of
-	// the inner one cancels against dg/ds, which keeps it finite on the z axis.
-	const double outer = (n1() - 1) / r.gauge, inner = (n2() - 1) / r.gauge;
-	const double sx = r.xBySPower * r.xByS, sy = r.yBySPower * r.yByS;
-	const double gss = outer * r.sByGPower * r.zByGPower * r.zByG * r.zByG;
-	const double gsz = -outer * r.sByGPower * r.sByG * r.zByGPower * r.zByG;
-	const double gzz = outer * r.zByGPower * r.sByGPower * r.sByG * r.sByG;
-	const double innerScale = inner * r.sByGPower * r.xBySPower * r.yBySPower;
-
-	Matrix3& H = result.hessian;
-	H(0, 0) = gss * sx * sx + innerScale * r.yByS * r.yByS;
-	H(1, 1) = gss * sy * sy + innerScale * r.xByS * r.xByS;
-	H(0, 1) = gss * sx * sy - innerScale * r.xByS * r.yByS;
-	H(0, 2) = gsz * sx;
-	H(1, 2) = gsz * sy;
-	H(2, 2) = gzz;
-	H(1, 0) = H(0, 1);
-	H(2, 0) = H(0, 2);
-	H(2, 1) = H(1, 2);
-	H.array() *= (r.signs * r.signs.transpose()).array();
-	return result;
+	const GaugeJet local = jet(x.cwiseProduct(inverse_));
+	return { local.value, local.gradient.cwiseProduct(inverse_), inverse_.asDiagonal() * local.hessian() * inverse_.asDiagonal() };
 }
 
 double Shape::function(const Vector3& x) const { return n1_.power(gauge(x)); }

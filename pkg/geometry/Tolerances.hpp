@@ -9,14 +9,24 @@ namespace superquadric::tolerances {
 constexpr double smallestExponent = 2.0;
 constexpr double largestExponent = 20.0;
 
-// Two gauges count as equal: the contact point lies this far (relative to the body) from the surface of equal scaling.
-constexpr double gaugeBalance = 1e-13;
+// How strongly the contact is drawn to the middle of both bodies, in the measure in which it is broad (PairProblem.hpp): faces of
+// half width a that touch with overlap d answer a tilt by moving the contact by tilt a^2/(2 d) (plate under a block) to tilt a^2/(4 d)
+// (equal blocks), and an elastic foundation of the same size by tilt a^2/(3 d).
+constexpr double centring = 2;
 
-// The two outward normals count as antiparallel [rad].
-constexpr double normalAngle = 1e-10;
+// A Newton step shorter than this part of the smallest half size is the last: the model's own second derivatives tell what is at
+// its end, and what the third would add is its square.
+constexpr double lastStep = 1e-7;
 
-// A Newton step shorter than this part of the smaller body cannot be told from rounding.
-constexpr double stepRounding = 1e-15;
+// A normal that turns by less [rad] keeps its length to rounding after one correction.
+constexpr double smallTurn = 1e-4;
+
+// The conditions of the contact centre are met to rounding: the gradients across the normal, relative to those along it. Where two
+// flat faces all but touch, any point of them does.
+constexpr double normalRounding = 1e-14;
+
+// Rounding of a support function, relative.
+constexpr double supportRounding = 1e-14;
 
 // Scalings within this of 1 are reported as touching: neither an inner point nor a separating direction can be told
 // from rounding.
@@ -41,13 +51,15 @@ constexpr double gaugeRounding = 1e-14;
 
 // The fallback stops when the bounds of the common scaling are this close.
 constexpr double fallbackGap = 1e-12;
+// The same of the contact centre's objective, whose curvature is of order 1: its place is known to the square root.
+constexpr double centreGap = 1e-14;
 
 // Edges of two boxes closer to parallel than this give a separating axis made of rounding; the face axes then decide.
 constexpr double parallelEdges = 1e-12;
 
 // The surface search along the normal is done after a step of this part of the smallest half size: the next one, by quadratic
 // convergence, would be its square.
-constexpr double surfaceStep = 3e-9;
+constexpr double surfaceStep = 1e-7;
 constexpr int surfaceIterations = 60;
 
 // The minimum of the gauge on a triangle's edge is found to this part of the edge.

@@ -1,7 +1,6 @@
 // The oracle itself, where the answer is known otherwise.
 #include "CommonScaling.hpp"
-
-#include <tests/unit/RandomBodies.hpp>
+#include "RandomPairs.hpp"
 
 #include <gtest/gtest.h>
 
@@ -56,4 +55,34 @@ TEST(CommonScaling, NoPointUndercutsTheLowerBound)
 			EXPECT_GE(std::max(g1, g2), t.lower);
 		}
 	}
+}
+
+// What the double's interval claims beyond its own rounding is checked by the long double's, three digits narrower.
+TEST(CommonScaling, InDoubleEnclosesTheLongDoubles)
+{
+	Real worst = 0;
+	for (int i = 0; i < 2000; ++i) {
+		const RandomPair pair(54, i);
+		const Shape shape1(pair.sizes1, pair.n11, pair.n12), shape2(pair.sizes2, pair.n21, pair.n22);
+		const Placement body1 { shape1, Vector3::Zero(), pair.rotation1 }, body2 { shape2, pair.along, pair.rotation2 };
+		const ScalingInterval coarse = commonScaling<double>(body1, body2), fine = commonScaling<Real>(body1, body2);
+		ASSERT_LE(coarse.lower, fine.lower) << pair.kind << " pair " << i;
+		ASSERT_GE(coarse.upper, fine.upper) << pair.kind << " pair " << i;
+		EXPECT_LT(coarse.halfWidth(), 1e-13L * coarse.middle());
+		EXPECT_LT(fine.halfWidth(), 1e-15L * fine.middle());
+		worst = std::max(worst, std::abs(coarse.middle() / fine.middle() - 1));
+	}
+	// It stays well inside: no more than half of what is allowed for rounding.
+	EXPECT_LT(worst, CommonScaling<double>::roundingSteps * std::numeric_limits<double>::epsilon() / 2);
+}
+
+// A part of a long run must ask the pairs that the whole would.
+TEST(RandomPair, DependsOnSeedAndNumberOnly)
+{
+	const RandomPair one(61, 7), again(61, 7), next(61, 8), other(62, 7);
+	EXPECT_EQ(one.sizes1, again.sizes1);
+	EXPECT_EQ(one.rotation2, again.rotation2);
+	EXPECT_EQ(one.scaling, again.scaling);
+	EXPECT_NE(one.sizes1, next.sizes1);
+	EXPECT_NE(one.sizes1, other.sizes1);
 }

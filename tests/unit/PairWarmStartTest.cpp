@@ -14,6 +14,12 @@ namespace {
 
 Matrix3 turn(double angle, const Vector3& axis) { return Eigen::AngleAxisd(angle, axis.normalized()).toRotationMatrix(); }
 
+// So deep that the bodies have all but swallowed each other, and the contact has many equally good places.
+bool isDeep(const Contact& contact, const Shape& shape1, const Shape& shape2)
+{
+	return contact.overlap > 0.2 * std::min(shape1.smallestHalfSize(), shape2.smallestHalfSize());
+}
+
 } // namespace
 
 TEST(PairWarmStart, FollowsASlowMotionWithTheColdAnswers)
@@ -33,6 +39,7 @@ TEST(PairWarmStart, FollowsASlowMotionWithTheColdAnswers)
 			const Contact followed = contactPair(body1, body2, warm, warmCounters), fresh = contactPair(body1, body2, none, coldCounters);
 			ASSERT_EQ(followed.status, fresh.status);
 			if (!fresh.overlapping()) continue;
+			if (isDeep(fresh, shape1, shape2)) break;
 			EXPECT_NEAR(followed.overlap, fresh.overlap, 1e-9 * distance);
 			EXPECT_LT((followed.normal - fresh.normal).norm(), 1e-7);
 		}
@@ -54,8 +61,8 @@ TEST(PairWarmStart, AStaleMemoryDoesNoHarm)
 		stale.kind = i % 2 ? WarmStart::Point : WarmStart::Direction;
 		stale.value = (i % 2 ? random.logarithmic(1e-6, 100) : 1) * random.direction();
 		const Contact fresh = contactPair(body1, body2, none, counters), misled = contactPair(body1, body2, stale, counters);
-		EXPECT_EQ(fresh.status, misled.status);
-		EXPECT_NEAR(fresh.overlapping() ? fresh.upper : 1, misled.overlapping() ? misled.upper : 1, 1e-9);
+		ASSERT_EQ(fresh.status, misled.status);
+		if (fresh.overlapping() && !isDeep(fresh, shape1, shape2)) { EXPECT_NEAR(fresh.upper, misled.upper, 1e-9); }
 		EXPECT_EQ(counters.uncertified, 0u);
 	}
 }
@@ -97,47 +104,53 @@ TEST(PairWarmStart, DeepAndConcentricPairsOverlap)
 		}
 }
 
-// Equal blocks with parallel faces, one sliding over the other: by symmetry the deepest point is half way between the centres. Where the
-// faces are flat to within tolerances::normalAngle any point is as deep: there the last one is kept, and moves on in small strides.
-TEST(PairWarmStart, SlidingFacesMoveTheirPointWithoutJumps)
+// Equal blocks with parallel faces, one sliding over the other: the contact centre stays half way between the block's centres.
+TEST(PairWarmStart, SlidingFacesKeepTheirPointInTheMiddle)
 {
 	for (double n : { 4.0, 8.0, 20.0 }) {
 		const Shape block(Vector3::Ones(), n, n);
 		const Placement body1 { block, Vector3::Zero(), Matrix3::Identity() };
 		WarmStart warm;
 		SolverCounters counters;
-		Vector3 last = Vector3::Zero();
 		for (int step = 0; step <= 1000; ++step) {
 			const double slide = 1e-3 * step;
 			const Placement body2 { block, Vector3(slide, 0, 1.995), Matrix3::Identity() };
 			const Contact contact = contactPair(body1, body2, warm, counters);
 			if (!contact.overlapping()) break;
-			if (step > 0) { EXPECT_LT((contact.middle() - last).norm(), 0.02) << "n = " << n << ", step " << step; }
-			EXPECT_NEAR(contact.middle().x(), slide / 2, 2 * std::pow(tolerances::normalAngle, 1 / (n - 1))) << "n = " << n << ", step " << step;
-			last = contact.middle();
+			EXPECT_NEAR(contact.middle().x(), slide / 2, 1e-8) << "n = " << n << ", step " << step;
+			EXPECT_NEAR(contact.middle().y(), 0, 1e-8) << "n = " << n << ", step " << step;
 		}
-		EXPECT_EQ(counters.uncertified, 0u);
+		EXPECT_EQ(counters.uncertified + counters.fallbacks, 0u);
 	}
 }
 
-// Tilted by an angle, the point of a face lies where the surface turns by half of it: at the power 1/(n - 1) of the angle, so that it
-// wanders over the face within a small tilt, as fast as that and no faster.
-TEST(PairWarmStart, RockingFacesMoveTheirPointAsTheSurfaceTurns)
+// Equal blocks face on face, tilted: a small tilt moves the point by tilt a^2/(2 c d), c = tolerances::centring and d the overlap, and never
+// faster than that, through zero and out to the edge.
+TEST(PairWarmStart, RockingFacesMoveTheirPointInProportion)
 {
-	for (double n : { 4.0, 8.0 }) {
+	for (double n : { 4.0, 8.0, 20.0 }) {
 		const Shape block(Vector3::Ones(), n, n);
 		const Placement body1 { block, Vector3::Zero(), Matrix3::Identity() };
+		const double overlap = 0.001, pace = 1 / (2 * tolerances::centring * overlap);
 		WarmStart warm;
 		SolverCounters counters;
-		for (int step = -100; step <= 100; ++step) {
-			const double tilt = 1e-4 * step, expected = std::copysign(std::pow(std::abs(tilt) / 2, 1 / (n - 1)), tilt);
-			const Placement body2 { block, 1.995 * (turn(tilt / 2, Vector3::UnitY()) * Vector3::UnitZ()), turn(tilt, Vector3::UnitY()) };
+		double last = 0;
+		for (int step = -2000; step <= 2000; ++step) {
+			const double tilt = 1e-6 * step;
+			const Vector3 normal = turn(tilt / 2, Vector3::UnitY()) * Vector3::UnitZ();
+			const Placement body2 { block, (2 - overlap) * normal, turn(tilt, Vector3::UnitY()) };
 			const Contact contact = contactPair(body1, body2, warm, counters);
 			ASSERT_TRUE(contact.overlapping());
 			const double across = contact.middle().dot(turn(tilt / 2, Vector3::UnitY()) * Vector3::UnitX());
-			EXPECT_NEAR(across, expected, 0.01 + std::pow(tolerances::normalAngle, 1 / (n - 1))) << "n = " << n << ", tilt " << tilt;
+			if (std::abs(step) <= 20 && n > 4) { EXPECT_NEAR(across, pace * tilt, 1e-3 * pace * std::abs(tilt) + 1e-9) << "n = " << n << ", tilt " << tilt; }
+			if (step > -2000) {
+				EXPECT_GT(across, last) << "n = " << n << ", tilt " << tilt;
+				EXPECT_LT(across - last, 1.01e-6 * pace) << "n = " << n << ", tilt " << tilt;
+			}
+			last = across;
 		}
-		EXPECT_EQ(counters.uncertified, 0u);
+		EXPECT_GT(last, 0.4 * std::pow(1e-3, 1 / (n - 1))); // a part of the way to where the face itself turns by the tilt
+		EXPECT_EQ(counters.uncertified + counters.fallbacks, 0u);
 	}
 }
 
