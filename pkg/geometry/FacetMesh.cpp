@@ -46,8 +46,8 @@ namespace {
 
 	Minimiser minimiserAt(const Placement& body, const Vector3& x)
 	{
-		const CentredPoint centre = centreAt(body.shape, body.toBody(x - body.position));
-		return { x, body.toWorld(centre.slope), centre.depth };
+		const CentredPoint centre = centreAt(body.shape, body.toHalfSizes(x - body.position));
+		return { x, body.frame * centre.slope, centre.depth };
 	}
 
 	// What every facet that looks at this one finds, bit for bit.

@@ -1,4 +1,5 @@
 #include "Curvature.hpp"
+#include "Processor.hpp"
 #include "WallCentre.hpp"
 #include "WallContact.hpp"
 
@@ -47,12 +48,17 @@ namespace {
 			return at(centre);
 		}
 
-		CentredPoint centreFrom(const Vector3& start) { return centreOnPlane(body_.shape, start, towards_, counters_); }
+		// From a point of the plane, in the body's frame.
+		CentredPoint centreFrom(const Vector3& start)
+		{
+			const Shape& shape = body_.shape;
+			return centreOnPlane(shape, start.cwiseProduct(shape.inverseHalfSizes()), towards_.cwiseProduct(shape.halfSizes()), counters_);
+		}
 
 		Contact at(const CentredPoint& centre)
 		{
 			warm_.kind = WarmStart::Point;
-			warm_.value = centre.x;
+			warm_.value = centre.u.cwiseProduct(body_.shape.halfSizes());
 			return contactAtCentre(body_, centre, normal_);
 		}
 
@@ -92,7 +98,7 @@ namespace {
 
 } // namespace
 
-Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3& outward, WarmStart& warm, SolverCounters& counters)
+SUPERQUADRIC_FOR_EACH_PROCESSOR Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3& outward, WarmStart& warm, SolverCounters& counters)
 {
 	return PlaneSolver(body, origin, outward, warm, counters).solve();
 }

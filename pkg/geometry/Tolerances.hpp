@@ -66,17 +66,16 @@ constexpr int surfaceIterations = 60;
 constexpr double edgeStep = 1e-15;
 constexpr int edgeIterations = 200;
 
-// The deepest point in a hollow cylinder is known once no other can lie farther out by more than this part of the body's bounding
-// radius. Sectors of the angle are divided until then, or until there are so many; a round body on the axis, all of whose
-// points are equally far out, needs them all. A division keeps this part of the sector clear of its ends.
+// The deepest point in a hollow cylinder is known once no other can lie farther out by more than the larger of two: this part of the
+// body's bounding radius, this share of the overlap. Sectors of the angle are divided until then, or until there are so many; a round
+// body on the axis, all of whose points are equally far out, needs them all. A division keeps this part of the sector clear of its
+// ends. The point itself is climbed to until the surface there is across the radius to the last angle [rad].
 constexpr double wallGap = 1e-10;
+constexpr double wallShare = 0.01;
 constexpr int wallSectors = 256;
 constexpr double wallMargin = 0.2;
 constexpr int wallAscents = 100;
-
-// Weight of the pull towards the middle of the bodies in the choice of the contact centre, against the logarithm of the depth.
-// With 2, a flat face that tilts answers over the same angle, overlap over size, as an elastic foundation does.
-constexpr double centring = 2;
+constexpr double wallAscent = 1e-9;
 
 // The contact centre on a flat wall is found after a step with a squared Newton decrement (its length in units of the contact's own
 // extent) below this: by quadratic convergence it leaves some 1e-8 of that extent. Other steps must gain this part of what their

@@ -36,7 +36,7 @@ namespace {
 			}
 			if (!best.within()) return outside();
 			// In the body's own centre the gauge has no gradient; the plane's normal will do.
-			return contactAtCentre(body_, best, best.slope.isZero(0) ? planeNormal : body_.toWorld(best.slope.normalized()));
+			return contactAtCentre(body_, best, best.slope.isZero(0) ? planeNormal : Vector3((body_.frame * best.slope).normalized()));
 		}
 
 	private:
@@ -44,10 +44,10 @@ namespace {
 
 		CentredPoint centreOnEdge(int i) const
 		{
-			const Vector3 along = edge(i);
-			const CentredPoint onLine = centreOnLine(body_.shape, v_[i] + lowestOnEdge(i) * along, along, counters_);
-			const double t = (onLine.x - v_[i]).dot(along) / along.squaredNorm();
-			return t > 0 && t < 1 ? onLine : centreAt(body_.shape, v_[t > 0 ? (i + 1) % 3 : i]);
+			const Vector3 &unit = body_.shape.inverseHalfSizes(), from = v_[i].cwiseProduct(unit), along = edge(i).cwiseProduct(unit);
+			const CentredPoint onLine = centreOnLine(body_.shape, from + lowestOnEdge(i) * along, along, counters_);
+			const double t = (onLine.u - from).dot(along) / along.squaredNorm();
+			return t > 0 && t < 1 ? onLine : centreAt(body_.shape, t > 0 ? from + along : from);
 		}
 
 		// The place [0, 1] of the edge with the smallest gauge: Newton on the slope, which grows along it, kept within a bracket.

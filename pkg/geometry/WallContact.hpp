@@ -26,6 +26,7 @@ Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& ver
 // contact is at the body's farthest point from the axis, where the normals agree as in eq. (4). The normal is radial, outwards;
 // `lower` and `upper` bound the ratio of the wall's radius to that distance, over the directions in which the body's
 // bounding sphere reaches the wall.
-Contact contactHollowCylinder(const Placement& body, const Vector3& origin, const Vector3& axis, double radius);
+Contact contactHollowCylinder(
+        const Placement& body, const Vector3& origin, const Vector3& axis, double radius, WarmStart& warm, SolverCounters& counters);
 
 } // namespace superquadric
