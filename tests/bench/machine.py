@@ -4,9 +4,12 @@ import platform
 import re
 import subprocess
 import time
+from pathlib import Path
+
+project = Path(__file__).resolve().parents[2]
 
 
-def describe(project):
+def describe():
     """A dict of plain values."""
     return {
         "processor": _processor(),
@@ -15,7 +18,7 @@ def describe(project):
         "system": platform.freedesktop_os_release().get("PRETTY_NAME", ""),
         "yade": _output("dpkg-query", "-W", "-f", "${Version}", "yade"),
         "compiler": _output("g++", "-dumpfullversion"),
-        "commit": _commit(project),
+        "commit": commit(),
         "date": time.strftime("%Y-%m-%d", time.gmtime()),
     }
 
@@ -26,11 +29,11 @@ def _processor():
     return found.group(1) if found else platform.machine()
 
 
-def _commit(project):
+def commit():
     """The commit, with a + where the checkout differs from it; empty where it cannot be told."""
     git = ["git", "-C", str(project), "-c", "safe.directory=*"]
-    commit = _output(*git, "rev-parse", "--short", "HEAD")
-    return commit + ("+" if commit and _output(*git, "status", "--porcelain", "--untracked-files=no") else "")
+    name = _output(*git, "rev-parse", "--short", "HEAD")
+    return name + ("+" if name and _output(*git, "status", "--porcelain", "--untracked-files=no") else "")
 
 
 def _output(*command):

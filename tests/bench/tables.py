@@ -147,7 +147,8 @@ def solverTable(result):
     settling = result["settling"]
     runs = {f"{name}, timed": (counted[0]["solver"], counted[0]["solverSteps"]) for name, counted in result["scenes"].items()
             if counted[0]["solver"] and "threads" not in name}
-    rows = [solverRow(f"{settling['kind']} {settling['count']}, while it was poured", settling["solver"], settling["steps"])]
+    by = f" by {settling['commit']}" if settling.get("commit") else ""
+    rows = [solverRow(f"{settling['kind']} {settling['count']}, while it was poured{by}", settling["solver"], settling["steps"])]
     return table("The contact solver in the beds", ("bed", "steps", "solves a step", "without a solve by spheres, direction, boxes",
                                                     "iterations a solve left", "cold starts", "fallbacks", "uncertified"),
                  rows + [solverRow(name, *run) for name, run in runs.items()])
