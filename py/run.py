@@ -132,7 +132,7 @@ class ImpactRun:
         container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
         ids, container = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'])
         # Sorted contacts: a run that was interrupted and resumed then equals one that never stopped.
-        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']), sortedContacts=True)
+        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
         O.dt = p['timeStepFraction'] * criticalTimeStep()
         top = max(O.bodies[i].state.pos[2] for i in ids)
         self.state.update(container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,

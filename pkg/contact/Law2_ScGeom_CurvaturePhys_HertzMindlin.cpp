@@ -14,35 +14,6 @@ YADE_PLUGIN((Law2_ScGeom_CurvaturePhys_HertzMindlin));
 namespace hm = superquadric::hertzMindlin;
 
 namespace {
-	constexpr Real infinite = std::numeric_limits<Real>::infinity();
-
-	// A member of a clump moves with the clump.
-	const State& moving(const Body& body, Scene* scene)
-	{
-		return body.isClumpMember() ? *Body::byId(body.clumpId, scene)->state : *body.state;
-	}
-
-	Real massOf(const State& state)
-	{
-		const bool held = (state.blockedDOFs & State::DOF_XYZ) == State::DOF_XYZ;
-		return held || !(state.mass > 0) ? infinite : state.mass;
-	}
-
-	Real smallestInertiaOf(const State& state)
-	{
-		const bool held = (state.blockedDOFs & State::DOF_RXRYRZ) == State::DOF_RXRYRZ;
-		const Real smallest = state.inertia.minCoeff();
-		return held || !(smallest > 0) ? infinite : smallest;
-	}
-
-	// What a body sets against a unit push `normal` at `arm` from its centre.
-	Real massAgainst(const State& state, const Vector3r& arm, const Vector3r& normal)
-	{
-		const bool turns = (state.blockedDOFs & State::DOF_RXRYRZ) != State::DOF_RXRYRZ;
-		const Vector3r lever = turns ? Vector3r(state.ori.conjugate() * arm.cross(normal)) : Vector3r(Vector3r::Zero());
-		return hm::massAgainstPush(massOf(state), lever, state.inertia);
-	}
-
 	// A sphere; anything else under YADE's own geometry is flat.
 	hm::Side sideOf(const Body& body)
 	{
@@ -83,19 +54,51 @@ void Law2_ScGeom_CurvaturePhys_HertzMindlin::postLoad(Law2_ScGeom_CurvaturePhys_
 bool Law2_ScGeom_CurvaturePhys_HertzMindlin::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction)
 {
 	auto& geom = static_cast<ScGeom&>(*iGeom);
-	const auto* ours = dynamic_cast<const SuperquadricGeom*>(&geom);
+	auto* ours = dynamic_cast<SuperquadricGeom*>(&geom);
 	if (!(geom.penetrationDepth > 0)) {
 		// A superquadric's pair is parked with the solver's memory (SuperquadricGeom.hpp), any other is reset by YADE.
 		if (!ours) return false;
 		iPhys.reset();
 		return true;
 	}
-	auto& phys = static_cast<CurvaturePhys&>(*iPhys);
-	const Meeting bodies = meeting(geom, ours, *interaction);
+	const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
+	const Body &one = *Body::byId(id1, scene), &two = *Body::byId(id2, scene);
+	Vector3r shift = Vector3r::Zero(), shiftVelocity = Vector3r::Zero();
+	if (scene->isPeriodic) {
+		shift = scene->cell->intrShiftPos(interaction->cellDist);
+		shiftVelocity = scene->cell->intrShiftVel(interaction->cellDist);
+	}
+	const MovingBody body1(one, *scene), body2(two, *scene, shift, shiftVelocity);
+	ContactLoad now;
+	if (ours)
+		now = load(*ours, *iPhys, body1, body2);
+	else {
+		const hm::Side side1 = sideOf(one), side2 = sideOf(two);
+		geom.contactPoint = middleOfOverlap(geom, side1, body1.position, side2, body2.position);
+		now = load(geom, static_cast<CurvaturePhys&>(*iPhys), Meeting(body1, body2, side1, side2, geom));
+	}
+	scene->forces.addForce(id1, -now.force);
+	scene->forces.addForce(id2, now.force);
+	scene->forces.addTorque(id1, now.torque1);
+	scene->forces.addTorque(id2, now.torque2);
+	return true;
+}
+
+ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2)
+{
+	const hm::Side side1 { geom.curvature1, geom.sectionRadius1, geom.smallestHalfSize1 }, side2 { geom.curvature2, geom.sectionRadius2, geom.smallestHalfSize2 };
+	return load(geom, static_cast<CurvaturePhys&>(phys), Meeting(body1, body2, side1, side2, geom));
+}
+
+ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::load(const ScGeom& geom, CurvaturePhys& phys, const Meeting& bodies)
+{
+	const MovingBody &body1 = bodies.body1, &body2 = bodies.body2;
 	const Radii radius = radii(geom, bodies);
+	const auto massOf = [](Real inverse) { return inverse > 0 ? 1 / inverse : 0; }; // nothing to damp where the motion is prescribed
 	phys.effectiveRadius = radius.effective;
-	phys.effectiveMass = hm::reduced(massOf(moving(bodies.body1, scene)), massOf(moving(bodies.body2, scene)));
-	phys.normalMass = leverArms ? normalMass(geom, bodies) : phys.effectiveMass;
+	phys.effectiveMass = massOf(body1.inverseMass + body2.inverseMass);
+	phys.normalMass = leverArms ? massOf(body1.inverseMassAgainst(geom.contactPoint, geom.normal) + body2.inverseMassAgainst(geom.contactPoint, geom.normal))
+	                            : phys.effectiveMass;
 
 	const Response now = response(geom, phys, bodies, radius.rolling);
 	const Real hertz = hm::Pair { phys.effectiveModulus, radius.effective, phys.normalMass }.hertz();
@@ -112,35 +115,20 @@ bool Law2_ScGeom_CurvaturePhys_HertzMindlin::go(shared_ptr<IGeom>& iGeom, shared
 	phys.shearViscous = now.tangential.viscous;
 	phys.shearEnergy = now.tangential.energy;
 	phys.rollingCouple = now.couple;
-	apply(geom, phys, bodies);
-	return true;
+	const Vector3r force = phys.normalForce + phys.shearForce;
+	return { force, -(geom.contactPoint - body1.position).cross(force) - now.couple, (geom.contactPoint - body2.position).cross(force) + now.couple };
 }
 
-Law2_ScGeom_CurvaturePhys_HertzMindlin::Meeting
-Law2_ScGeom_CurvaturePhys_HertzMindlin::meeting(ScGeom& geom, const SuperquadricGeom* ours, const Interaction& interaction) const
+Law2_ScGeom_CurvaturePhys_HertzMindlin::Meeting::Meeting(const MovingBody& one, const MovingBody& two, const hm::Side& side1, const hm::Side& side2, const ScGeom& geom)
+        : body1(one)
+        , body2(two)
+        , side1(side1)
+        , side2(side2)
+        , spin(two.spin - one.spin)
 {
-	const Body &body1 = *Body::byId(interaction.getId1(), scene), &body2 = *Body::byId(interaction.getId2(), scene);
-	Vector3r shift = Vector3r::Zero(), shiftVelocity = Vector3r::Zero();
-	if (scene->isPeriodic) {
-		shift = scene->cell->intrShiftPos(interaction.cellDist);
-		shiftVelocity = scene->cell->intrShiftVel(interaction.cellDist);
-	}
-	const State &state1 = *body1.state, &state2 = *body2.state;
-	const Vector3r position2 = state2.pos + shift;
-	const hm::Side side1 = ours ? hm::Side { ours->curvature1, ours->sectionRadius1, ours->smallestHalfSize1 } : sideOf(body1);
-	const hm::Side side2 = ours ? hm::Side { ours->curvature2, ours->sectionRadius2, ours->smallestHalfSize2 } : sideOf(body2);
-	if (!ours) geom.contactPoint = middleOfOverlap(geom, side1, state1.pos, side2, position2);
-	const Vector3r velocity = geom.getIncidentVel(&state1, &state2, scene->dt, shift, shiftVelocity, /*avoidGranularRatcheting*/ false);
-	const Real approach = -velocity.dot(geom.normal);
-	return { body1, body2, side1, side2, state1.pos, position2, approach, velocity + approach * geom.normal, state2.angVel - state1.angVel };
-}
-
-Real Law2_ScGeom_CurvaturePhys_HertzMindlin::normalMass(const ScGeom& geom, const Meeting& bodies) const
-{
-	const State &moving1 = moving(bodies.body1, scene), &moving2 = moving(bodies.body2, scene);
-	const Vector3r arm1 = geom.contactPoint - bodies.position1 + bodies.body1.state->pos - moving1.pos;
-	const Vector3r arm2 = geom.contactPoint - bodies.position2 + bodies.body2.state->pos - moving2.pos;
-	return hm::reduced(massAgainst(moving1, arm1, geom.normal), massAgainst(moving2, arm2, geom.normal));
+	const Vector3r velocity = two.velocityAt(geom.contactPoint) - one.velocityAt(geom.contactPoint);
+	approach = -velocity.dot(geom.normal);
+	sliding = velocity + approach * geom.normal;
 }
 
 Law2_ScGeom_CurvaturePhys_HertzMindlin::Radii
@@ -158,22 +146,13 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::Response Law2_ScGeom_CurvaturePhys_Hertz
 	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };
 	const hm::Friction friction { phys.tangensOfFrictionAngle, phys.stiffnessRatio, phys.tangentialDamping, phys.effectiveMass };
 	const Vector3r displacement = turned(geom, phys.shearDisplacement) + bodies.sliding * scene->dt;
-	const Real inertia = hm::reduced(smallestInertiaOf(moving(bodies.body1, scene)), smallestInertiaOf(moving(bodies.body2, scene)));
+	const Real compliance = bodies.body1.largestInverseInertia() + bodies.body2.largestInverseInertia();
+	const Real inertia = compliance > 0 ? 1 / compliance : 0;
 	Response now;
 	now.normal = hm::normalForce(pair, phys.normalDamping, geom.penetrationDepth, bodies.approach);
 	now.tangential = hm::tangentialForce(friction, now.normal.elastic, geom.penetrationDepth, displacement, bodies.sliding);
 	now.couple = hm::rollingCouple(phys.rollingFriction, rollingRadius, now.normal.total(), bodies.spin, inertia, scene->dt);
 	return now;
-}
-
-void Law2_ScGeom_CurvaturePhys_HertzMindlin::apply(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies) const
-{
-	const Vector3r force = phys.normalForce + phys.shearForce; // on body 2
-	const Body::id_t id1 = bodies.body1.getId(), id2 = bodies.body2.getId();
-	scene->forces.addForce(id1, -force);
-	scene->forces.addForce(id2, force);
-	scene->forces.addTorque(id1, -(geom.contactPoint - bodies.position1).cross(force) - phys.rollingCouple);
-	scene->forces.addTorque(id2, (geom.contactPoint - bodies.position2).cross(force) + phys.rollingCouple);
 }
 
 // Each sum gets the work of its force over the last step, by the mean of the force before and after: with velocities half a step

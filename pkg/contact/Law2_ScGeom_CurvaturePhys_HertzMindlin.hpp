@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CurvaturePhys.hpp"
+#include "MovingBodiesLaw.hpp"
 
 #include <core/Dispatching.hpp>
 #include <core/EnergyTracker.hpp>
@@ -16,24 +17,25 @@ namespace yade {
 
 class SuperquadricGeom;
 
-class Law2_ScGeom_CurvaturePhys_HertzMindlin : public LawFunctor {
+class Law2_ScGeom_CurvaturePhys_HertzMindlin : public LawFunctor, public MovingBodiesLaw {
 public:
 	virtual ~Law2_ScGeom_CurvaturePhys_HertzMindlin() = default;
 	bool go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction) override;
+	ContactLoad load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2) override;
 	FUNCTOR2D(ScGeom, CurvaturePhys);
 
 	// Called by YADE after the attributes were set or loaded. Refused values are put back before the error leaves.
 	void postLoad(Law2_ScGeom_CurvaturePhys_HertzMindlin&);
 
 private:
-	// Two bodies at a contact, and how they move relative to each other. Velocities are those of half a step ago, which YADE's
-	// leap-frog integrator has; they are the ones that led to the present positions.
+	// Two bodies at a contact, and how they move relative to each other.
 	struct Meeting {
-		const Body &body1, &body2;
+		const MovingBody &body1, &body2;
 		superquadric::hertzMindlin::Side side1, side2;
-		Vector3r position1, position2; // of the periodic images that meet [m]
 		Real approach; // speed at which the overlap grows [m/s]
 		Vector3r sliding, spin; // of body 2 relative to body 1, tangential [m/s] and angular [rad/s]
+
+		Meeting(const MovingBody& body1, const MovingBody& body2, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom);
 	};
 	struct Radii {
 		Real effective, rolling; // R* of (7) and R of (13) [m]
@@ -45,11 +47,9 @@ private:
 	};
 	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError, energyCount };
 
-	Meeting meeting(ScGeom& geom, const SuperquadricGeom* ours, const Interaction& interaction) const;
-	Real normalMass(const ScGeom& geom, const Meeting& bodies) const;
+	ContactLoad load(const ScGeom& geom, CurvaturePhys& phys, const Meeting& bodies);
 	Radii radii(const ScGeom& geom, const Meeting& bodies) const;
 	Response response(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
-	void apply(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies) const;
 	void bookEnergy(const ScGeom& geom, const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz);
 	void findEnergies();
 

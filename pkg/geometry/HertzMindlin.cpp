@@ -33,20 +33,6 @@ double stiffnessRatio(double young1, double poisson1, double young2, double pois
 	return effectiveModulus(young1, poisson1, young2, poisson2) * shearCompliance / 4;
 }
 
-double reduced(double mass1, double mass2)
-{
-	const double inverse = 1 / mass1 + 1 / mass2;
-	return inverse > 0 ? 1 / inverse : 0;
-}
-
-double massAgainstPush(double mass, const Vector3& lever, const Vector3& principalInertia)
-{
-	double inverse = 1 / mass;
-	for (int axis = 0; axis < 3; ++axis)
-		if (principalInertia[axis] > 0) inverse += lever[axis] * lever[axis] / principalInertia[axis];
-	return 1 / inverse;
-}
-
 double boundedCurvature(const Side& side, double overlapLimit)
 {
 	if (side.smallestHalfSize == 0) return side.curvature;

@@ -14,15 +14,6 @@ double effectiveModulus(double young1, double poisson1, double young2, double po
 // materials it is the factor (2 - nu)/(2(1 - nu)) of the paper's dtmax in (11).
 double stiffnessRatio(double young1, double poisson1, double young2, double poisson2);
 
-// m* of (8) from two masses, or the same of two moments of inertia. A body that cannot move has an infinite one, so that the
-// result is that of the other. Zero when neither can move: the motion is then prescribed and there is nothing to damp.
-double reduced(double mass1, double mass2);
-
-// The mass that a body sets against a push at a point: 1/m + l' I^-1 l inverted, with l = arm x direction, the push's lever about the
-// principal axes [m], and I the principal moments [kg m^2] (an infinite or zero one does not turn). It is m when the push goes
-// through the centre, as it always does on a sphere.
-double massAgainstPush(double mass, const Vector3& lever, const Vector3& principalInertia);
-
 // One side of a contact as far as its local radius is concerned. A wall has zeros.
 struct Side {
 	double curvature; // mean curvature at the contact, eq. (10) [1/m]

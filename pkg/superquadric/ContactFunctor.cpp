@@ -35,11 +35,8 @@ bool ContactPair::part(const superquadric::Contact& contact, const superquadric:
 	const bool keep = mustBeKept();
 	if (!keep && !interaction->geom && warm.kind == superquadric::WarmStart::None) return false; // nothing to remember
 	SuperquadricGeom& g = geom();
-	g.touching = false;
 	g.setWarmStart(warm);
-	// Negative in any case: that is how YADE's own laws, too, know a contact that has ended.
-	g.penetrationDepth = std::min(contact.overlap, -std::numeric_limits<Real>::min());
-	g.shearInc = Vector3r::Zero();
+	g.part(contact);
 	return keep;
 }
 

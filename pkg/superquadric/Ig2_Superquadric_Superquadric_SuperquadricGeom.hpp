@@ -9,6 +9,10 @@ class Ig2_Superquadric_Superquadric_SuperquadricGeom : public ContactFunctor {
 public:
 	FUNCTOR2D(Superquadric, Superquadric);
 	DEFINE_FUNCTOR_ORDER_2D(Superquadric, Superquadric);
+	// The functor's work in two parts, for a loop that has the placements at hand: what the solver says, and what the interaction gets.
+	superquadric::Contact solveAt(const superquadric::Placement& body1, const superquadric::Placement& body2, superquadric::WarmStart& warm);
+	static bool describe(const superquadric::Contact& contact, const superquadric::Placement& body1, const superquadric::Placement& body2,
+	                     const ContactPair& pair, const superquadric::WarmStart& warm);
 	boost::python::dict counters() const { return solverCounters.asDict(); }
 	void resetCounters() { solverCounters.reset(); }
 

@@ -28,6 +28,8 @@ public:
 	superquadric::WarmStart warmStart() const;
 	void setWarmStart(const superquadric::WarmStart& warm);
 	void setSides(const Side& side1, const Side& side2);
+	// The bodies do not touch.
+	void part(const superquadric::Contact& contact);
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(SuperquadricGeom, ScGeom,
@@ -36,14 +38,16 @@ public:
 		"half sizes (a wall takes the particle's). A pair that does not touch may keep such an object, without physics, as the memory of "
 		"the contact solver.",
 		((bool, touching, false, Attr::readonly, "Whether the bodies overlap: then penetrationDepth > 0, else it is negative without further meaning. |yupdate|"))
-		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 where the ray from its centre through X0 meets its surface (next to X1), eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
-		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 where the ray from its centre through X0 meets its surface (next to X2), eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 at X1, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 at X2, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
 		((Real, sectionRadius1, 0, Attr::readonly, "Radius of body 1's middle section across the normal, sqrt(a b c/h) with its half thickness h = (X1-centre).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, sectionRadius2, 0, Attr::readonly, "Radius of body 2's middle section across the normal, sqrt(a b c/h) with its half thickness h = (centre-X2).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
 		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
 		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1: point from its centre [m] or unit direction. |yupdate|"))
+		((Vector3r, warmSeenBy2, Vector3r::Zero(), (Attr::hidden | Attr::noSave), "The direction in the frame of body 2 when it was proved."))
+		((Real, warmSupports, 0, (Attr::hidden | Attr::noSave), "The sum of the supports along the direction when it was proved [m]; 0 when unknown."))
 		, createIndex();
 	);
 	// clang-format on

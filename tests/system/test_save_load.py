@@ -1,7 +1,7 @@
 """A bed that is saved, loaded and continued moves bit for bit like one that was never interrupted, on one thread.
 
 Two things are asked of the scene: the contacts are gone through in the order of their ids
-(superquadricEngines(sortedContacts=True)), because the collider starts anew after loading and finds them in another order,
+(superquadricEngines()), because the collider starts anew after loading and finds them in another order,
 and sums of forces depend on the order by rounding; and one thread, for the same reason.
 """
 import math
@@ -33,7 +33,7 @@ def bed(seed):
         center = Vector3((i % 2 - 0.5) * spacing, (i // 2 % 2 - 0.5) * spacing, (0.6 + i // 4) * spacing)
         O.bodies.append(particle(center, generator, material))
         O.bodies[-1].state.vel = Vector3(generator.uniform(-0.1, 0.1), generator.uniform(-0.1, 0.1), -2)
-    O.engines = sq.superquadricEngines(sortedContacts=True)
+    O.engines = sq.superquadricEngines()
     for engine in O.engines:
         if isinstance(engine, (InteractionLoop, InsertionSortCollider)):
             engine.ompThreads = 1

@@ -12,7 +12,6 @@ using namespace superquadric::hertzMindlin;
 
 namespace {
 constexpr double young = 1e9, poisson = 0.2, overlapLimit = 0.1;
-constexpr double immovable = std::numeric_limits<double>::infinity();
 const Pair pair { 0.5e9, 2e-3, 1e-3 };
 
 // Rebound of one body of mass m* off a wall, integrated by half steps so that the error is of second order.
@@ -51,13 +50,6 @@ TEST(HertzMindlin, StiffnessRatioIsThePapersFactorForEqualMaterials)
 TEST(HertzMindlin, StiffnessRatioDoesNotDependOnTheOrder)
 {
 	EXPECT_DOUBLE_EQ(stiffnessRatio(1e9, 0.2, 7e10, 0.35), stiffnessRatio(7e10, 0.35, 1e9, 0.2));
-}
-
-TEST(HertzMindlin, MassOfAnImmovablePartner)
-{
-	EXPECT_DOUBLE_EQ(reduced(2, 2), 1);
-	EXPECT_DOUBLE_EQ(reduced(2, immovable), 2);
-	EXPECT_DOUBLE_EQ(reduced(immovable, immovable), 0);
 }
 
 TEST(HertzMindlin, CurvatureIsBoundedOnFacesAndEdgesOnly)

@@ -1,0 +1,53 @@
+#include "PairTable.hpp"
+
+#include <pkg/superquadric/SuperquadricGeom.hpp>
+
+#include <algorithm>
+
+namespace yade {
+
+namespace {
+
+	std::pair<Body::id_t, Body::id_t> orderOf(const PairTable::Row& row) { return std::minmax(row.id1, row.id2); }
+
+	superquadric::WarmStart memoryOf(const Interaction& interaction)
+	{
+		const auto* geom = dynamic_cast<const SuperquadricGeom*>(interaction.geom.get());
+		return geom ? geom->warmStart() : superquadric::WarmStart();
+	}
+
+} // namespace
+
+void PairTable::update(InteractionContainer& interactions, const BodyTable& bodies, bool force)
+{
+	if (force || !isUpToDate(interactions)) rebuild(interactions, bodies);
+}
+
+bool PairTable::isUpToDate(InteractionContainer& interactions) const
+{
+	return interactions.size() == known.size() && std::equal(known.begin(), known.end(), interactions.begin());
+}
+
+void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bodies)
+{
+	std::vector<shared_ptr<Interaction>> held(interactions.begin(), interactions.begin() + interactions.size());
+	std::vector<Row> fresh;
+	fresh.reserve(held.size());
+	for (auto& interaction : held) {
+		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
+		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), memoryOf(*interaction), &interaction });
+	}
+	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
+	std::sort(fresh.begin(), fresh.end(), earlier);
+	// What is remembered of a pair that does not touch is kept here only. Both lists are in order.
+	auto old = rows.begin();
+	for (Row& row : fresh) {
+		while (old != rows.end() && earlier(*old, row))
+			++old;
+		if (old != rows.end() && !earlier(row, *old) && *old->interaction == *row.interaction && !row.real) row.warm = old->warm;
+	}
+	rows.swap(fresh);
+	known.swap(held);
+}
+
+} // namespace yade

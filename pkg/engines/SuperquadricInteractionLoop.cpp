@@ -1,0 +1,185 @@
+#include "SuperquadricInteractionLoop.hpp"
+
+#ifdef YADE_OPENMP
+#include <omp.h>
+#endif
+
+namespace yade {
+
+YADE_PLUGIN((SuperquadricInteractionLoop));
+
+void SuperquadricInteractionLoop::action()
+{
+	prepare();
+#ifdef YADE_OPENMP
+	const int threads = ompThreads > 0 ? std::min(ompThreads, omp_get_max_threads()) : omp_get_max_threads();
+#else
+	const int threads = 1;
+#endif
+	const bool changed = bodies.update(*scene, threads);
+	pairs.update(*scene->interactions, bodies, changed);
+	// A periodic image is not where its body is, and on several MPI ranks some bodies are others': there YADE's way is gone.
+	const bool direct = geometry && !scene->isPeriodic && scene->subdomain == 0;
+	const long size = pairs.size();
+#ifdef YADE_OPENMP
+#pragma omp parallel for schedule(guided) num_threads(threads)
+#endif
+	for (long i = 0; i < size; ++i) {
+		PairTable::Row& row = pairs[i];
+		if (direct && row.superquadrics)
+			solve(row);
+		else
+			dispatch(row);
+	}
+	eraseUnseen();
+}
+
+void SuperquadricInteractionLoop::prepare()
+{
+	geomDispatcher->scene = physDispatcher->scene = lawDispatcher->scene = scene;
+	geomDispatcher->updateScenePtr();
+	physDispatcher->updateScenePtr();
+	lawDispatcher->updateScenePtr();
+	geometry = nullptr;
+	for (const auto& functor : geomDispatcher->functors)
+		if (!geometry) geometry = dynamic_cast<Ig2_Superquadric_Superquadric_SuperquadricGeom*>(functor.get());
+	fastLaw = nullptr;
+	movingBodiesLaw = nullptr;
+	for (const auto& functor : lawDispatcher->functors)
+		if (auto* law = dynamic_cast<MovingBodiesLaw*>(functor.get())) {
+			fastLaw = functor.get();
+			movingBodiesLaw = law;
+		}
+	activeCallbacks.clear();
+	for (const auto& callback : callbacks) {
+		callback->scene = scene;
+		if (const auto function = callback->stepInit()) activeCallbacks.emplace_back(callback.get(), function);
+	}
+}
+
+// Two superquadrics. As long as they do not touch, their interaction is not even looked at.
+void SuperquadricInteractionLoop::solve(PairTable::Row& row)
+{
+	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
+	const auto contact = geometry->solveAt(*row1.placement, *row2.placement, row.warm);
+	if (!touches(contact) && !row.real) return;
+
+	const shared_ptr<Interaction>& interaction = *row.interaction;
+	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene);
+	const Vector3r noShift = Vector3r::Zero();
+	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
+	const bool wasReal = interaction->isReal();
+	if (geometry->describe(contact, *row1.placement, *row2.placement, pair, row.warm)) {
+		if (!wasReal) {
+			makePhysics(interaction, body1, body2);
+			interaction->iterMadeReal = scene->iter;
+		}
+		findLaw(*interaction);
+		if (interaction->functorCache.constLaw.get() == fastLaw && touches(contact))
+			addLoad(row, *interaction);
+		else
+			applyLaw(interaction);
+		callBack(*interaction);
+	}
+	row.real = interaction->isReal();
+}
+
+void SuperquadricInteractionLoop::addLoad(const PairTable::Row& row, Interaction& interaction)
+{
+	auto& geom = static_cast<SuperquadricGeom&>(*interaction.geom);
+	const ContactLoad load = movingBodiesLaw->load(geom, *interaction.phys, *bodies[row.id1].motion, *bodies[row.id2].motion);
+	scene->forces.addForce(row.id1, -load.force);
+	scene->forces.addForce(row.id2, load.force);
+	scene->forces.addTorque(row.id1, load.torque1);
+	scene->forces.addTorque(row.id2, load.torque2);
+}
+
+// Any other pair, as YADE's loop takes it.
+void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
+{
+	const shared_ptr<Interaction>& interaction = *row.interaction;
+	const shared_ptr<Body>&first = Body::byId(row.id1, scene), &second = Body::byId(row.id2, scene);
+	if (!first || !second || isForeign(*first, *second)) return scene->interactions->requestErase(interaction);
+	if (first->isClump() || second->isClump() || !first->shape || !second->shape || !findGeometry(row, *first, *second)) return;
+
+	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene); // perhaps swapped
+	const Vector3r shift2 = scene->isPeriodic ? Vector3r(scene->cell->hSize * interaction->cellDist.cast<Real>()) : Vector3r(Vector3r::Zero());
+	const bool wasReal = interaction->isReal();
+	if (interaction->functorCache.geom->go(body1.shape, body2.shape, *body1.state, *body2.state, shift2, /*force*/ false, interaction)) {
+		makePhysics(interaction, body1, body2);
+		if (!wasReal) interaction->iterMadeReal = scene->iter;
+		findLaw(*interaction);
+		applyLaw(interaction);
+		callBack(*interaction);
+	} else if (wasReal)
+		scene->interactions->requestErase(interaction);
+	row.real = interaction->isReal();
+}
+
+bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2) const
+{
+#ifdef YADE_MPI
+	return body1.subdomain != scene->subdomain && body2.subdomain != scene->subdomain;
+#else
+	return false;
+#endif
+}
+
+// A functor that knows the shapes in the other order gets the bodies in that order, now and in all later steps.
+bool SuperquadricInteractionLoop::findGeometry(PairTable::Row& row, Body& body1, Body& body2) const
+{
+	Interaction& interaction = **row.interaction;
+	auto& cache = interaction.functorCache;
+	if (!cache.geomExists || cache.geom) return cache.geomExists;
+	bool swap = false;
+	cache.geom = geomDispatcher->getFunctor2D(body1.shape, body2.shape, swap);
+	cache.geomExists = bool(cache.geom);
+	if (swap) {
+		interaction.swapOrder();
+		std::swap(row.id1, row.id2);
+	}
+	return cache.geomExists;
+}
+
+void SuperquadricInteractionLoop::makePhysics(const shared_ptr<Interaction>& interaction, Body& body1, Body& body2) const
+{
+	auto& cache = interaction->functorCache;
+	bool swap = false;
+	if (!cache.phys) cache.phys = physDispatcher->getFunctor2D(body1.material, body2.material, swap);
+	if (!cache.phys)
+		throw std::runtime_error("InteractionLoop: no Ip2 functor for the materials " + body1.material->getClassName() + " and " + body2.material->getClassName());
+	cache.phys->go(body1.material, body2.material, interaction);
+}
+
+void SuperquadricInteractionLoop::findLaw(Interaction& interaction) const
+{
+	bool swap = false;
+	auto& law = interaction.functorCache.constLaw;
+	if (!law) law = lawDispatcher->getFunctor2D(interaction.geom, interaction.phys, swap);
+	if (!law)
+		throw std::runtime_error("InteractionLoop: no Law2 functor for " + interaction.geom->getClassName() + " and " + interaction.phys->getClassName());
+}
+
+void SuperquadricInteractionLoop::applyLaw(const shared_ptr<Interaction>& interaction) const
+{
+	if (!interaction->functorCache.constLaw->go(interaction->geom, interaction->phys, interaction.get())) scene->interactions->requestErase(interaction);
+}
+
+void SuperquadricInteractionLoop::callBack(Interaction& interaction) const
+{
+	if (!interaction.isReal()) return;
+	for (const auto& [callback, function] : activeCallbacks)
+		(*function)(callback, &interaction);
+}
+
+void SuperquadricInteractionLoop::eraseUnseen()
+{
+	InteractionContainer& interactions = *scene->interactions;
+	if (interactions.iterColliderLastRun < 0 || interactions.iterColliderLastRun != scene->iter) return;
+	for (long i = 0; i < pairs.size(); ++i) {
+		const Interaction& interaction = **pairs[i].interaction;
+		if (!interaction.isReal() && interaction.iterLastSeen < scene->iter) interactions.erase(interaction.getId1(), interaction.getId2(), interaction.linIx);
+	}
+}
+
+} // namespace yade
