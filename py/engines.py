@@ -74,11 +74,11 @@ def engine(kind, engines=None):
 
 
 def solverCounters(reset=False):
-    """What the solver has met so far in pairs of superquadrics and of sphere and superquadric together, as a dict (see
+    """What the solvers have met so far in all pairs with a superquadric, walls included, as a dict (see
     `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`), since the scene was made or loaded, or since the last call with `reset`."""
     total = Counter()
     for functor in engine(InteractionLoop).geomDispatcher.functors:
-        if isinstance(functor, (Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Sphere_Superquadric_SuperquadricGeom)):
+        if hasattr(functor, 'counters'):
             total.update(functor.counters())
             if reset:
                 functor.resetCounters()

@@ -175,3 +175,16 @@ TEST(FacetMesh, AHollowCornerPushesFromBothSidesAndARimOnce)
 	}
 	EXPECT_EQ(floor.by({ ball, Vector3(4.29, 4.29, 0.28), Matrix3::Identity() }).size(), 1u); // the sheet's corner
 }
+
+// The documented limit: a bend so flat that the contact covers both sides is pushed by both.
+TEST(FacetMesh, AHollowBendUnderTheContactPushesFromBothSides)
+{
+	const Shape ball(Vector3::Constant(0.5), 2, 2);
+	for (double slope : { 1e-3, 1e-2 }) {
+		Pushed valley(sheet(8, 8, [&](double x, double) { return slope * std::abs(x); }));
+		const auto pushed = valley.by({ ball, Vector3(0, 0.2, 0.499 * std::hypot(1, slope)), Matrix3::Identity() });
+		ASSERT_EQ(pushed.size(), 2u);
+		EXPECT_NEAR(pushed[0].overlap, 1e-3, 1e-12);
+		EXPECT_NEAR(pushed[1].overlap, 1e-3, 1e-12);
+	}
+}
