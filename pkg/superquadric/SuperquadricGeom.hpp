@@ -45,7 +45,7 @@ public:
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
 		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
-		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1, or of the particle at a wall: point from its centre [m] or unit direction. |yupdate|"))
+		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1: point from its centre [m] or unit direction. |yupdate|"))
 		((Vector3r, warmSeenBy2, Vector3r::Zero(), (Attr::hidden | Attr::noSave), "The direction in the frame of body 2 when it was proved."))
 		((Real, warmSupports, 0, (Attr::hidden | Attr::noSave), "The sum of the supports along the direction when it was proved [m]; 0 when unknown."))
 		, createIndex();
