@@ -31,10 +31,13 @@ namespace {
 	}
 
 	// A tangential vector of the last step, turned with the contact; its length stays.
-	Vector3r turned(const ScGeom& geom, Vector3r vector)
+	Vector3r turned(const ScGeom& geom, const SuperquadricGeom* ours, Vector3r vector)
 	{
 		const Real length = vector.norm();
-		geom.rotate(vector);
+		if (ours)
+			vector = ours->turned(vector);
+		else
+			geom.rotate(vector);
 		vector -= geom.normal.dot(vector) * geom.normal;
 		const Real projected = vector.norm();
 		return projected > 0 ? Vector3r(vector * (length / projected)) : Vector3r(Vector3r::Zero());
@@ -75,7 +78,7 @@ bool Law2_ScGeom_CurvaturePhys_HertzMindlin::go(shared_ptr<IGeom>& iGeom, shared
 	else {
 		const hm::Side side1 = sideOf(one), side2 = sideOf(two);
 		geom.contactPoint = middleOfOverlap(geom, side1, body1.position, side2, body2.position);
-		now = load(geom, static_cast<CurvaturePhys&>(*iPhys), Meeting(body1, body2, side1, side2, geom));
+		now = load(geom, static_cast<CurvaturePhys&>(*iPhys), Meeting(body1, body2, side1, side2, geom, nullptr));
 	}
 	scene->forces.addForce(id1, -now.force);
 	scene->forces.addForce(id2, now.force);
@@ -87,7 +90,7 @@ bool Law2_ScGeom_CurvaturePhys_HertzMindlin::go(shared_ptr<IGeom>& iGeom, shared
 ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2)
 {
 	const hm::Side side1 { geom.curvature1, geom.sectionRadius1, geom.smallestHalfSize1 }, side2 { geom.curvature2, geom.sectionRadius2, geom.smallestHalfSize2 };
-	return load(geom, static_cast<CurvaturePhys&>(phys), Meeting(body1, body2, side1, side2, geom));
+	return load(geom, static_cast<CurvaturePhys&>(phys), Meeting(body1, body2, side1, side2, geom, &geom));
 }
 
 ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::load(const ScGeom& geom, CurvaturePhys& phys, const Meeting& bodies)
@@ -119,11 +122,12 @@ ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::load(const ScGeom& geom, Cur
 	return { force, -(geom.contactPoint - body1.position).cross(force) - now.couple, (geom.contactPoint - body2.position).cross(force) + now.couple };
 }
 
-Law2_ScGeom_CurvaturePhys_HertzMindlin::Meeting::Meeting(const MovingBody& one, const MovingBody& two, const hm::Side& side1, const hm::Side& side2, const ScGeom& geom)
+Law2_ScGeom_CurvaturePhys_HertzMindlin::Meeting::Meeting(const MovingBody& one, const MovingBody& two, const hm::Side& side1, const hm::Side& side2, const ScGeom& geom, const SuperquadricGeom* ours)
         : body1(one)
         , body2(two)
         , side1(side1)
         , side2(side2)
+        , ours(ours)
         , spin(two.spin - one.spin)
 {
 	const Vector3r velocity = two.velocityAt(geom.contactPoint) - one.velocityAt(geom.contactPoint);
@@ -145,7 +149,7 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::Response Law2_ScGeom_CurvaturePhys_Hertz
 {
 	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };
 	const hm::Friction friction { phys.tangensOfFrictionAngle, phys.stiffnessRatio, phys.tangentialDamping, phys.effectiveMass };
-	const Vector3r displacement = turned(geom, phys.shearDisplacement) + bodies.sliding * scene->dt;
+	const Vector3r displacement = turned(geom, bodies.ours, phys.shearDisplacement) + bodies.sliding * scene->dt;
 	const Real compliance = bodies.body1.largestInverseInertia() + bodies.body2.largestInverseInertia();
 	const Real inertia = compliance > 0 ? 1 / compliance : 0;
 	Response now;
@@ -167,12 +171,12 @@ void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(
 
 	book(Elastic, hm::normalEnergy(hertz, overlap) + tangential.energy);
 	book(NormalViscous, halfStep * bodies.approach * (before.normalViscous.dot(geom.normal) + now.normal.viscous));
-	book(TangentialViscous, -halfStep * bodies.sliding.dot(turned(geom, before.shearViscous) + tangential.viscous));
+	book(TangentialViscous, -halfStep * bodies.sliding.dot(turned(geom, bodies.ours, before.shearViscous) + tangential.viscous));
 	book(Rolling, -halfStep * bodies.spin.dot(before.rollingCouple + now.couple));
 
 	const Real slipped = tangential.slip * tangential.elastic.norm();
 	book(Friction, slipped);
-	const Vector3r draggedBefore = turned(geom, before.shearForce - before.shearViscous);
+	const Vector3r draggedBefore = turned(geom, bodies.ours, before.shearForce - before.shearViscous);
 	const Real loaded = -halfStep * bodies.sliding.dot(draggedBefore + tangential.elastic);
 	Real pressed = 0;
 	if (before.overlap > 0) {

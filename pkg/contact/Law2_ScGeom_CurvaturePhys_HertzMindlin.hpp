@@ -32,10 +32,11 @@ private:
 	struct Meeting {
 		const MovingBody &body1, &body2;
 		superquadric::hertzMindlin::Side side1, side2;
+		const SuperquadricGeom* ours; // the contact's geometry, if it is ours
 		Real approach; // speed at which the overlap grows [m/s]
 		Vector3r sliding, spin; // of body 2 relative to body 1, tangential [m/s] and angular [rad/s]
 
-		Meeting(const MovingBody& body1, const MovingBody& body2, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom);
+		Meeting(const MovingBody& body1, const MovingBody& body2, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom, const SuperquadricGeom* ours);
 	};
 	struct Radii {
 		Real effective, rolling; // R* of (7) and R of (13) [m]

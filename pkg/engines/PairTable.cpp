@@ -35,7 +35,8 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	fresh.reserve(held.size());
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
-		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), memoryOf(*interaction), &interaction });
+		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), memoryOf(*interaction), &interaction,
+		                  interaction.get(), interaction->geom.get(), interaction->phys.get() });
 	}
 	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
 	std::sort(fresh.begin(), fresh.end(), earlier);

@@ -18,6 +18,16 @@ public:
 		bool real; // the interaction has geom and phys
 		superquadric::WarmStart warm;
 		shared_ptr<Interaction>* interaction; // in `known`
+		// Where the interaction and its parts were at the last step, for the processor to fetch ahead; never looked into.
+		const void *interactionAt, *geomAt, *physAt;
+
+		// After the step's work.
+		void note()
+		{
+			real = (*interaction)->isReal();
+			geomAt = (*interaction)->geom.get();
+			physAt = (*interaction)->phys.get();
+		}
 	};
 
 	// Follows the container: anything may have added or erased interactions since the last step. The order does not depend on their

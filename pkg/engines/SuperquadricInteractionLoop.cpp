@@ -1,5 +1,7 @@
 #include "SuperquadricInteractionLoop.hpp"
 
+#include <pkg/contact/CurvaturePhys.hpp>
+
 #ifdef YADE_OPENMP
 #include <omp.h>
 #endif
@@ -7,6 +9,17 @@
 namespace yade {
 
 YADE_PLUGIN((SuperquadricInteractionLoop));
+
+namespace {
+	// Pairs between asking the memory for an interaction and using it: about as long as the memory takes.
+	constexpr long fetchAhead = 4;
+
+	void fetchLines(const void* address, size_t bytes)
+	{
+		for (size_t offset = 0; offset < bytes; offset += 64)
+			__builtin_prefetch(static_cast<const char*>(address) + offset);
+	}
+}
 
 void SuperquadricInteractionLoop::action()
 {
@@ -25,6 +38,7 @@ void SuperquadricInteractionLoop::action()
 #pragma omp parallel for schedule(guided) num_threads(threads)
 #endif
 	for (long i = 0; i < size; ++i) {
+		if (i + fetchAhead < size) fetch(pairs[i + fetchAhead]);
 		PairTable::Row& row = pairs[i];
 		if (direct && row.superquadrics)
 			solve(row);
@@ -60,38 +74,56 @@ void SuperquadricInteractionLoop::prepare()
 // Two superquadrics. As long as they do not touch, their interaction is not even looked at.
 void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 {
-	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
-	const auto contact = geometry->solveAt(*row1.placement, *row2.placement, row.warm);
+	const auto contact = geometry->solveAt(*bodies[row.id1].placement, *bodies[row.id2].placement, row.warm);
 	if (!touches(contact) && !row.real) return;
 
 	const shared_ptr<Interaction>& interaction = *row.interaction;
-	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene);
-	const Vector3r noShift = Vector3r::Zero();
-	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
-	const bool wasReal = interaction->isReal();
-	if (geometry->describe(contact, *row1.placement, *row2.placement, pair, row.warm)) {
-		if (!wasReal) {
-			makePhysics(interaction, body1, body2);
-			interaction->iterMadeReal = scene->iter;
-		}
-		findLaw(*interaction);
-		if (interaction->functorCache.constLaw.get() == fastLaw && touches(contact))
-			addLoad(row, *interaction);
-		else
-			applyLaw(interaction);
-		callBack(*interaction);
-	}
-	row.real = interaction->isReal();
+	if (row.real && interaction->isReal() && touches(contact) && interaction->functorCache.constLaw.get() == fastLaw)
+		follow(row, contact, *interaction);
+	else
+		meet(row, contact, interaction);
+	callBack(*interaction);
+	row.note();
 }
 
-void SuperquadricInteractionLoop::addLoad(const PairTable::Row& row, Interaction& interaction)
+// Two superquadrics that touched before and still do, under a law that needs no more than their motion.
+void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superquadric::Contact& contact, Interaction& interaction)
 {
+	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
 	auto& geom = static_cast<SuperquadricGeom&>(*interaction.geom);
-	const ContactLoad load = movingBodiesLaw->load(geom, *interaction.phys, *bodies[row.id1].motion, *bodies[row.id2].motion);
+	geom.setWarmStart(row.warm);
+	geom.setSides(sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1), sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2));
+	geom.follow(contact, *row1.motion, *row2.motion, scene->dt);
+	const ContactLoad load = movingBodiesLaw->load(geom, *interaction.phys, *row1.motion, *row2.motion);
 	scene->forces.addForce(row.id1, -load.force);
 	scene->forces.addForce(row.id2, load.force);
 	scene->forces.addTorque(row.id1, load.torque1);
 	scene->forces.addTorque(row.id2, load.torque2);
+}
+
+// A contact that begins or ends.
+void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superquadric::Contact& contact, const shared_ptr<Interaction>& interaction) const
+{
+	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene);
+	const Vector3r noShift = Vector3r::Zero();
+	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
+	const bool wasReal = interaction->isReal();
+	if (!geometry->describe(contact, *bodies[row.id1].placement, *bodies[row.id2].placement, pair, row.warm)) return;
+	makePhysics(interaction, body1, body2);
+	if (!wasReal) interaction->iterMadeReal = scene->iter;
+	findLaw(*interaction);
+	applyLaw(interaction);
+}
+
+// The rows themselves are in order in memory; what they point to is not.
+void SuperquadricInteractionLoop::fetch(const PairTable::Row& row) const
+{
+	if (!row.superquadrics) return;
+	fetchLines(&bodies[row.id2], row.real ? sizeof(BodyTable::Row) : sizeof(superquadric::Placement));
+	if (!row.real) return;
+	fetchLines(row.interactionAt, sizeof(Interaction));
+	fetchLines(row.geomAt, sizeof(SuperquadricGeom));
+	fetchLines(row.physAt, sizeof(CurvaturePhys));
 }
 
 // Any other pair, as YADE's loop takes it.
@@ -113,7 +145,7 @@ void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 		callBack(*interaction);
 	} else if (wasReal)
 		scene->interactions->requestErase(interaction);
-	row.real = interaction->isReal();
+	row.note();
 }
 
 bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2) const

@@ -20,7 +20,9 @@ private:
 
 	void prepare();
 	void solve(PairTable::Row& row);
-	void addLoad(const PairTable::Row& row, Interaction& interaction);
+	void follow(const PairTable::Row& row, const superquadric::Contact& contact, Interaction& interaction);
+	void meet(const PairTable::Row& row, const superquadric::Contact& contact, const shared_ptr<Interaction>& interaction) const;
+	void fetch(const PairTable::Row& row) const;
 	void dispatch(PairTable::Row& row);
 	bool isForeign(const Body& body1, const Body& body2) const;
 	bool findGeometry(PairTable::Row& row, Body& body1, Body& body2) const;

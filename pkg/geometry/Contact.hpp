@@ -35,9 +35,11 @@ struct WarmStart {
 	int kind = None;
 	// The last point X0 from centre 1 [m], or the last separating direction [-]; in the frame of body 1, so that it moves with it.
 	Vector3 value = Vector3::Zero();
-	// Of a direction, how it was proved: the same direction in the frame of body 2, and the sum of the supports along it [m]. While
-	// body 2 turns a little, its support grows by no more than its bounding radius times the change of the direction.
+	// The same in the frame of body 2, if known; a point from its centre.
 	Vector3 seenBy2 = Vector3::Zero();
+	bool inBothFrames = false;
+	// Of a direction known in both frames, the sum of the supports that proved it [m]. While body 2 turns a little, its support grows by no
+	// more than its bounding radius times the change of the direction.
 	double supports = 0;
 };
 

@@ -26,12 +26,20 @@ namespace {
 		void solve()
 		{
 			++counters_.solves;
-			if (warm_.kind == WarmStart::Point && newton(problem_.centre1() + problem_.body1().toWorld(warm_.value))) return;
+			if (warm_.kind == WarmStart::Point && newton(rememberedPoint())) return;
 			if (warm_.kind == WarmStart::Direction && apartByRememberedDirection()) return;
 			solveCold();
 		}
 
 	private:
+		// Half way between where either body has carried the last point.
+		Vector3 rememberedPoint() const
+		{
+			const Vector3 with1 = problem_.centre1() + problem_.body1().toWorld(warm_.value);
+			const Vector3 with2 = problem_.centre2() + problem_.body2().toWorld(warm_.seenBy2);
+			return warm_.inBothFrames ? Vector3(0.5 * (with1 + with2)) : with1;
+		}
+
 		__attribute__((noinline)) void solveCold()
 		{
 			if (problem_.between().isZero(0)) return engulfed(problem_.centre1());
@@ -51,7 +59,7 @@ namespace {
 			const double distance = direction.dot(problem_.between());
 			const double turned = (body2.toBody(direction) - warm_.seenBy2).norm();
 			const double reach = (warm_.supports + turned * body2.shape.boundingRadius()) * (1 + tolerances::supportRounding);
-			if (warm_.supports > 0 && distance > reach) {
+			if (warm_.inBothFrames && distance > reach) {
 				contact_.status = Status::Apart;
 				contact_.normal = direction;
 				contact_.lower = distance / reach;
@@ -99,6 +107,7 @@ namespace {
 			warm_.kind = WarmStart::Direction;
 			warm_.value = problem_.body1().toBody(direction);
 			warm_.seenBy2 = problem_.body2().toBody(direction);
+			warm_.inBothFrames = true;
 			warm_.supports = supports;
 		}
 
@@ -220,6 +229,8 @@ namespace {
 			contact_.curvature2 = surface2.curvature;
 			warm_.kind = WarmStart::Point;
 			warm_.value = body1.toBody(from1);
+			warm_.seenBy2 = body2.toBody(point.x - problem_.centre2());
+			warm_.inBothFrames = true;
 		}
 
 		// One body has swallowed the other's middle, far beyond what any contact model is for: no common normal is to be had, and the line of

@@ -16,7 +16,7 @@ constexpr double centring = 2;
 
 // A Newton step shorter than this part of the smallest half size is the last: the model's own second derivatives tell what is at
 // its end, and what the third would add is its square.
-constexpr double lastStep = 1e-7;
+constexpr double lastStep = 1e-6;
 
 // A normal that turns by less [rad] keeps its length to rounding after one correction.
 constexpr double smallTurn = 1e-4;

@@ -25,8 +25,10 @@ bool ContactPair::touch(const superquadric::Contact& contact, const Superquadric
 	g.touching = true;
 	g.setWarmStart(warm);
 	g.setSides(side1, side2);
+	const Vector3r normalBefore = isNew ? contact.normal : g.normal, spinSum = isNew ? Vector3r(Vector3r::Zero()) : Vector3r(state1.angVel + state2.angVel);
 	// Without YADE's correction against ratcheting, which holds for spheres only.
 	g.doIg2Work(contact.middle(), contact.overlap, radius1, radius2, state1, state2, scene, interaction, contact.normal, shift2, isNew, false);
+	g.noteTurn(normalBefore, spinSum, scene->dt);
 	return true;
 }
 

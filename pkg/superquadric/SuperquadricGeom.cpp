@@ -10,6 +10,7 @@ superquadric::WarmStart SuperquadricGeom::warmStart() const
 	warm.kind = warmKind;
 	warm.value = warmValue;
 	warm.seenBy2 = warmSeenBy2;
+	warm.inBothFrames = warmInBothFrames;
 	warm.supports = warmSupports;
 	return warm;
 }
@@ -19,6 +20,7 @@ void SuperquadricGeom::setWarmStart(const superquadric::WarmStart& warm)
 	warmKind = warm.kind;
 	warmValue = warm.value;
 	warmSeenBy2 = warm.seenBy2;
+	warmInBothFrames = warm.inBothFrames;
 	warmSupports = warm.supports;
 }
 
@@ -30,6 +32,23 @@ void SuperquadricGeom::setSides(const Side& side1, const Side& side2)
 	sectionRadius2 = side2.sectionRadius;
 	smallestHalfSize1 = side1.smallestHalfSize;
 	smallestHalfSize2 = side2.smallestHalfSize;
+}
+
+void SuperquadricGeom::noteTurn(const Vector3r& normalBefore, const Vector3r& spinSum, Real dt)
+{
+	turn = normalBefore.cross(normal);
+	twist = dt * 0.5 * normalBefore.dot(spinSum) * normalBefore;
+}
+
+void SuperquadricGeom::follow(const superquadric::Contact& contact, const Motion& motion1, const Motion& motion2, Real dt)
+{
+	const Vector3r normalBefore = normal;
+	contactPoint = contact.middle();
+	penetrationDepth = contact.overlap;
+	normal = contact.normal;
+	noteTurn(normalBefore, motion1.spin + motion2.spin, dt);
+	const Vector3r velocity = motion2.velocityAt(contactPoint) - motion1.velocityAt(contactPoint);
+	shearInc = dt * (velocity - normal.dot(velocity) * normal);
 }
 
 void SuperquadricGeom::part(const superquadric::Contact& contact)

@@ -1,6 +1,7 @@
 // The geometry of a contact with a superquadric, and the pair's memory while it does not touch.
 #pragma once
 
+#include <pkg/contact/MovingBody.hpp>
 #include <pkg/dem/ScGeom.hpp>
 #include <pkg/geometry/Contact.hpp>
 
@@ -28,8 +29,22 @@ public:
 	superquadric::WarmStart warmStart() const;
 	void setWarmStart(const superquadric::WarmStart& warm);
 	void setSides(const Side& side1, const Side& side2);
+	// The bodies still touch, as the solver says: sets what ScGeom::doIg2Work sets for a contact that is not new, except what only
+	// ScGeom::rotate reads.
+	void follow(const superquadric::Contact& contact, const Motion& motion1, const Motion& motion2, Real dt);
+	// How the contact has turned since the last step; zero of a new one.
+	void noteTurn(const Vector3r& normalBefore, const Vector3r& spinSum, Real dt);
+	// A vector that lies in the contact plane, turned with the contact to first order, as ScGeom::rotate does it.
+	Vector3r turned(const Vector3r& vector) const
+	{
+		const Vector3r swung = vector - vector.cross(turn);
+		return swung - swung.cross(twist);
+	}
 	// The bodies do not touch.
 	void part(const superquadric::Contact& contact);
+
+private:
+	Vector3r turn = Vector3r::Zero(), twist = Vector3r::Zero(); // of the last step [rad]
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(SuperquadricGeom, ScGeom,
@@ -46,8 +61,9 @@ public:
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
 		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
 		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1: point from its centre [m] or unit direction. |yupdate|"))
-		((Vector3r, warmSeenBy2, Vector3r::Zero(), (Attr::hidden | Attr::noSave), "The direction in the frame of body 2 when it was proved."))
-		((Real, warmSupports, 0, (Attr::hidden | Attr::noSave), "The sum of the supports along the direction when it was proved [m]; 0 when unknown."))
+		((Vector3r, warmSeenBy2, Vector3r::Zero(), Attr::readonly, "The same in the frame of body 2. |yupdate|"))
+		((bool, warmInBothFrames, false, Attr::readonly, "Whether warmSeenBy2 is known. |yupdate|"))
+		((Real, warmSupports, 0, Attr::readonly, "Of a direction: the sum of the supports that proved it [m]. |yupdate|"))
 		, createIndex();
 	);
 	// clang-format on
