@@ -38,6 +38,8 @@ struct WarmStart {
 	// The same in the frame of body 2, if known; a point from its centre.
 	Vector3 seenBy2 = Vector3::Zero();
 	bool inBothFrames = false;
+	// Of a point: how far it had moved beyond what the bodies carried it, in the frame of body 1 [m]; it goes on like that for a while.
+	Vector3 drift = Vector3::Zero();
 	// Of a direction known in both frames, the sum of the supports that proved it [m]. While body 2 turns a little, its support grows by no
 	// more than its bounding radius times the change of the direction.
 	double supports = 0;

@@ -26,14 +26,17 @@ namespace {
 		void solve()
 		{
 			++counters_.solves;
-			if (warm_.kind == WarmStart::Point && newton(rememberedPoint())) return;
+			if (warm_.kind == WarmStart::Point) {
+				carried_ = carriedPoint();
+				if (newton(carried_ + problem_.body1().toWorld(warm_.drift))) return;
+			}
 			if (warm_.kind == WarmStart::Direction && apartByRememberedDirection()) return;
 			solveCold();
 		}
 
 	private:
 		// Half way between where either body has carried the last point.
-		Vector3 rememberedPoint() const
+		Vector3 carriedPoint() const
 		{
 			const Vector3 with1 = problem_.centre1() + problem_.body1().toWorld(warm_.value);
 			const Vector3 with2 = problem_.centre2() + problem_.body2().toWorld(warm_.seenBy2);
@@ -227,6 +230,7 @@ namespace {
 			contact_.surface2 = contact_.point - surface2.distance * point.axis;
 			contact_.curvature1 = surface1.curvature;
 			contact_.curvature2 = surface2.curvature;
+			warm_.drift = warm_.kind == WarmStart::Point ? body1.toBody(point.x - carried_) : Vector3(Vector3::Zero());
 			warm_.kind = WarmStart::Point;
 			warm_.value = body1.toBody(from1);
 			warm_.seenBy2 = body2.toBody(point.x - problem_.centre2());
@@ -249,6 +253,7 @@ namespace {
 		WarmStart& warm_;
 		SolverCounters& counters_;
 		Contact& contact_;
+		Vector3 carried_ = Vector3::Zero();
 		double offCentreAtStart_ = 0;
 	};
 

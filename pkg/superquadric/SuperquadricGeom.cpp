@@ -11,6 +11,7 @@ superquadric::WarmStart SuperquadricGeom::warmStart() const
 	warm.value = warmValue;
 	warm.seenBy2 = warmSeenBy2;
 	warm.inBothFrames = warmInBothFrames;
+	warm.drift = warmDrift;
 	warm.supports = warmSupports;
 	return warm;
 }
@@ -21,6 +22,7 @@ void SuperquadricGeom::setWarmStart(const superquadric::WarmStart& warm)
 	warmValue = warm.value;
 	warmSeenBy2 = warm.seenBy2;
 	warmInBothFrames = warm.inBothFrames;
+	warmDrift = warm.drift;
 	warmSupports = warm.supports;
 }
 

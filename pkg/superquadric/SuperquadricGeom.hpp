@@ -63,6 +63,7 @@ private:
 		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1: point from its centre [m] or unit direction. |yupdate|"))
 		((Vector3r, warmSeenBy2, Vector3r::Zero(), Attr::readonly, "The same in the frame of body 2. |yupdate|"))
 		((bool, warmInBothFrames, false, Attr::readonly, "Whether warmSeenBy2 is known. |yupdate|"))
+		((Vector3r, warmDrift, Vector3r::Zero(), Attr::readonly, "Of a point: how far it moved in the last step beyond what the bodies carried it, in the frame of body 1 [m]. |yupdate|"))
 		((Real, warmSupports, 0, Attr::readonly, "Of a direction: the sum of the supports that proved it [m]. |yupdate|"))
 		, createIndex();
 	);
