@@ -5,6 +5,9 @@
 #include <pkg/contact/MovingBody.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
+#include <array>
+#include <map>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -25,9 +28,13 @@ public:
 	bool isSuperquadric(Body::id_t id) const { return size_t(id) < rows.size() && rows[id].placement.has_value(); }
 
 private:
-	static bool refresh(Row& row, const shared_ptr<Body>& body, const Scene& scene);
+	bool refresh(Row& row, const shared_ptr<Body>& body, const Scene& scene);
+	void place(Row& row, const Superquadric& shape, const State& state);
 
 	std::vector<Row> rows;
+	// Equal bodies share one shape, which so stays in the processor's nearest memory; by half sizes and exponents.
+	std::map<std::array<double, 5>, superquadric::Shape> shapes;
+	std::mutex addingShape;
 };
 
 } // namespace yade

@@ -12,7 +12,7 @@ YADE_PLUGIN((SuperquadricInteractionLoop));
 
 namespace {
 	// Pairs between asking the memory for an interaction and using it: about as long as the memory takes.
-	constexpr long fetchAhead = 4;
+	constexpr long fetchAhead = 16;
 
 	void fetchLines(const void* address, size_t bytes)
 	{

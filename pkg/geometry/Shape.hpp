@@ -30,6 +30,8 @@ public:
 	double n1() const { return n1_.value(); }
 	double n2() const { return n2_.value(); }
 
+	bool operator==(const Shape& other) const { return halfSizes_ == other.halfSizes_ && n1() == other.n1() && n2() == other.n2(); }
+
 	// f of eq. (1).
 	double function(const Vector3& x) const;
 	Vector3 functionGradient(const Vector3& x) const;
