@@ -36,7 +36,19 @@ namespace {
 		return large * std::pow(1 + std::pow(small / large, m), 1 / m);
 	}
 
-	double dual(double n) { return n / (n - 1); }
+	// (p^m + q^m)^(1/m) for p, q >= 0 with the dual exponent m = n/(n-1), and its derivatives. With r the smaller over the larger and
+	// s = r^(1/(n-1)), r^m is r s: one power and one root make all three.
+	struct DualNorm {
+		double value, byFirst, bySecond;
+	};
+	DualNorm dualNorm(double p, double q, const Exponent& n)
+	{
+		const double large = std::max(p, q), small = std::min(p, q);
+		if (large == 0) return { 0, 0, 0 };
+		const double ratio = small / large, power = n.value() == 2 || ratio == 0 ? ratio : std::pow(ratio, 1 / (n.value() - 1));
+		const double sum = 1 + ratio * power, byLarge = 1 / n.root(sum), bySmall = power * byLarge;
+		return { large * sum * byLarge, p >= q ? byLarge : bySmall, p >= q ? bySmall : byLarge };
+	}
 
 	// The farthest point from the centre: with X = x^2 ... the squared distance is linear and eq. (1) a norm with the exponents
 	// n/2, so the maximum is the dual norm, of exponents n/(n-2), of the squared half sizes.
@@ -103,23 +115,16 @@ Matrix3 Shape::functionHessian(const Vector3& x) const
 double Shape::support(const Vector3& direction) const
 {
 	const Vector3 p = direction.cwiseProduct(halfSizes_).cwiseAbs();
-	return norm(norm(p.x(), p.y(), dual(n2())), p.z(), dual(n1()));
+	return dualNorm(dualNorm(p.x(), p.y(), n2_).value, p.z(), n1_).value;
 }
 
 Vector3 Shape::supportPoint(const Vector3& direction) const
 {
 	const Vector3 p = direction.cwiseProduct(halfSizes_).cwiseAbs();
-	const double t = norm(p.x(), p.y(), dual(n2()));
-	const double h = norm(t, p.z(), dual(n1()));
-	if (h == 0) throw std::invalid_argument("direction must not be zero");
-	// The gradient of the dual norm, whose powers are 1/(n - 1).
-	const double side = std::pow(t / h, 1 / (n1() - 1));
-	const auto inner = [&](double part) { return t > 0 ? std::pow(part / t, 1 / (n2() - 1)) : 0.0; };
-	const Vector3 size(side * inner(p.x()), side * inner(p.y()), std::pow(p.z() / h, 1 / (n1() - 1)));
-	Vector3 result;
-	for (int axis = 0; axis < 3; ++axis)
-		result[axis] = std::copysign(size[axis] * halfSizes_[axis], direction[axis]);
-	return result;
+	const DualNorm side = dualNorm(p.x(), p.y(), n2_), whole = dualNorm(side.value, p.z(), n1_);
+	if (whole.value == 0) throw std::invalid_argument("direction must not be zero");
+	const Vector3 size = halfSizes_.cwiseProduct(Vector3(whole.byFirst * side.byFirst, whole.byFirst * side.bySecond, whole.bySecond));
+	return { std::copysign(size.x(), direction.x()), std::copysign(size.y(), direction.y()), std::copysign(size.z(), direction.z()) };
 }
 
 } // namespace superquadric
