@@ -15,31 +15,34 @@ bool BodyTable::update(const Scene& scene, int threads)
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(|| : changed)
 #endif
 	for (long id = 0; id < size; ++id)
-		if (refresh(rows[id], bodies[id], scene)) changed = true;
+		if (refresh(id, bodies[id], scene)) changed = true;
+	if (changed) travels.assign(size, 0);
 	return changed;
 }
 
-bool BodyTable::refresh(Row& row, const shared_ptr<Body>& body, const Scene& scene)
+bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene& scene)
 {
+	Row& row = rows[id];
 	const Shape* shape = body && !body->isClump() ? body->shape.get() : nullptr;
-	const bool changed = shape != row.shape;
+	bool changed = shape != row.shape;
 	if (changed) {
 		row.shape = shape;
+		row.ours = dynamic_cast<const Superquadric*>(shape);
 		row.placement.reset();
 		row.motion.reset();
 	}
-	const bool wasSuperquadric = row.placement.has_value();
-	const auto* ours = !shape ? nullptr : wasSuperquadric && !changed ? static_cast<const Superquadric*>(shape) : dynamic_cast<const Superquadric*>(shape);
-	if (ours) {
-		place(row, *ours, *body->state);
-		row.motion.emplace(*body, scene);
-	}
+	if (!row.ours) return changed;
+	changed |= row.placement && !(row.placement->shape == row.ours->solid()); // attributes set anew
+	const std::optional<superquadric::Placement> before = row.placement;
+	place(row, *body->state);
+	row.motion.emplace(*body, scene);
+	if (!changed) travels[id] += motionBound(*before, *row.placement);
 	return changed;
 }
 
-void BodyTable::place(Row& row, const Superquadric& shape, const State& state)
+void BodyTable::place(Row& row, const State& state)
 {
-	const superquadric::Shape& own = shape.solid();
+	const superquadric::Shape& own = row.ours->solid();
 	const superquadric::Shape* shared = row.placement && row.placement->shape == own ? &row.placement->shape : nullptr;
 	if (!shared) {
 		const std::lock_guard<std::mutex> lock(addingShape);
@@ -47,6 +50,12 @@ void BodyTable::place(Row& row, const Superquadric& shape, const State& state)
 		shared = &shapes.try_emplace({ sizes.x(), sizes.y(), sizes.z(), own.n1(), own.n2() }, own).first->second;
 	}
 	row.placement.emplace(*shared, state.pos, state.ori.toRotationMatrix());
+}
+
+// The rotation by an angle moves a point at the distance R by 2 R sin(angle/2) at most, and changes the matrix by sqrt(8) sin(angle/2).
+Real BodyTable::motionBound(const superquadric::Placement& before, const superquadric::Placement& after)
+{
+	return (after.position - before.position).norm() + after.shape.boundingRadius() * (after.rotation - before.rotation).norm() * M_SQRT1_2;
 }
 
 } // namespace yade

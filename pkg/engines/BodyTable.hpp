@@ -19,19 +19,24 @@ public:
 		std::optional<superquadric::Placement> placement; // of a superquadric only
 		std::optional<MovingBody> motion; // likewise
 		const Shape* shape = nullptr;
+		const Superquadric* ours = nullptr; // the same, if it is one
 	};
 
-	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time.
+	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time: all rows are then new.
 	bool update(const Scene& scene, int threads);
 
 	const Row& operator[](Body::id_t id) const { return rows[id]; }
+	// How far any point of a superquadric may have moved in all, since the table was last made anew [m].
+	Real travel(Body::id_t id) const { return travels[id]; }
 	bool isSuperquadric(Body::id_t id) const { return size_t(id) < rows.size() && rows[id].placement.has_value(); }
 
 private:
-	bool refresh(Row& row, const shared_ptr<Body>& body, const Scene& scene);
-	void place(Row& row, const Superquadric& shape, const State& state);
+	bool refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene& scene);
+	void place(Row& row, const State& state);
+	static Real motionBound(const superquadric::Placement& before, const superquadric::Placement& after);
 
 	std::vector<Row> rows;
+	std::vector<Real> travels;
 	// Equal bodies share one shape, which so stays in the processor's nearest memory; by half sizes and exponents.
 	std::map<std::array<double, 5>, superquadric::Shape> shapes;
 	std::mutex addingShape;

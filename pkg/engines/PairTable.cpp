@@ -18,9 +18,16 @@ namespace {
 
 } // namespace
 
-void PairTable::update(InteractionContainer& interactions, const BodyTable& bodies, bool force)
+void PairTable::update(InteractionContainer& interactions, const BodyTable& bodies, bool bodiesAreNew)
 {
-	if (force || !isUpToDate(interactions)) rebuild(interactions, bodies);
+	if (bodiesAreNew || !isUpToDate(interactions)) rebuild(interactions, bodies, bodiesAreNew);
+}
+
+void PairTable::writeMemories() const
+{
+	for (const Row& row : rows)
+		if (row.superquadrics && row.real)
+			if (auto* geom = dynamic_cast<SuperquadricGeom*>((*row.interaction)->geom.get())) geom->setWarmStart(row.warm);
 }
 
 bool PairTable::isUpToDate(InteractionContainer& interactions) const
@@ -28,15 +35,15 @@ bool PairTable::isUpToDate(InteractionContainer& interactions) const
 	return interactions.size() == known.size() && std::equal(known.begin(), known.end(), interactions.begin());
 }
 
-void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bodies)
+void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bodies, bool bodiesAreNew)
 {
 	std::vector<shared_ptr<Interaction>> held(interactions.begin(), interactions.begin() + interactions.size());
 	std::vector<Row> fresh;
 	fresh.reserve(held.size());
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
-		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), memoryOf(*interaction), &interaction,
-		                  interaction.get(), interaction->geom.get(), interaction->phys.get() });
+		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), /*followed*/ false, /*apartUntil*/ -1,
+		                  memoryOf(*interaction), &interaction, &interaction->geom, interaction->geom.get(), interaction->phys.get() });
 	}
 	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
 	std::sort(fresh.begin(), fresh.end(), earlier);
@@ -45,7 +52,10 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	for (Row& row : fresh) {
 		while (old != rows.end() && earlier(*old, row))
 			++old;
-		if (old != rows.end() && !earlier(row, *old) && *old->interaction == *row.interaction && !row.real) row.warm = old->warm;
+		if (old != rows.end() && !earlier(row, *old) && *old->interaction == *row.interaction && row.superquadrics) {
+			row.warm = old->warm; // newer than the geometry's
+			row.apartUntil = bodiesAreNew ? -1 : old->apartUntil;
+		}
 	}
 	rows.swap(fresh);
 	known.swap(held);

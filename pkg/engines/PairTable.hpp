@@ -3,6 +3,7 @@
 
 #include "BodyTable.hpp"
 
+#include <core/Dispatching.hpp>
 #include <core/InteractionContainer.hpp>
 #include <pkg/geometry/Contact.hpp>
 
@@ -16,30 +17,37 @@ public:
 		Body::id_t id1, id2; // as the interaction names them
 		bool superquadrics; // both: the row is solved from here, any other by YADE's dispatch
 		bool real; // the interaction has geom and phys
+		bool followed; // and the law that the loop knows how to ask
+		Real apartUntil; // the sum of both bodies' travels up to which they are proved apart [m]
 		superquadric::WarmStart warm;
 		shared_ptr<Interaction>* interaction; // in `known`
-		// Where the interaction and its parts were at the last step, for the processor to fetch ahead; never looked into.
-		const void *interactionAt, *geomAt, *physAt;
+		// Where the parts of the interaction that are needed were at the last step, for the processor to fetch ahead; never looked into.
+		const void *partsAt, *geomAt, *physAt;
 
 		// After the step's work.
-		void note()
+		void note(const LawFunctor* followedLaw)
 		{
-			real = (*interaction)->isReal();
-			geomAt = (*interaction)->geom.get();
-			physAt = (*interaction)->phys.get();
+			const Interaction& now = **interaction;
+			real = now.isReal();
+			followed = real && now.functorCache.constLaw.get() == followedLaw;
+			geomAt = now.geom.get();
+			physAt = now.phys.get();
 		}
 	};
 
 	// Follows the container: anything may have added or erased interactions since the last step. The order does not depend on their
 	// history, and so neither do the sums of forces.
-	void update(InteractionContainer& interactions, const BodyTable& bodies, bool force);
+	void update(InteractionContainer& interactions, const BodyTable& bodies, bool bodiesAreNew);
+
+	// The geometries of contacts get what the solver remembers of them, for saving.
+	void writeMemories() const;
 
 	long size() const { return long(rows.size()); }
 	Row& operator[](long i) { return rows[i]; }
 
 private:
 	bool isUpToDate(InteractionContainer& interactions) const;
-	void rebuild(InteractionContainer& interactions, const BodyTable& bodies);
+	void rebuild(InteractionContainer& interactions, const BodyTable& bodies, bool bodiesAreNew);
 
 	std::vector<Row> rows;
 	// Held, so that no new interaction can take the address of an old one unnoticed.

@@ -1,6 +1,7 @@
 #include "SuperquadricInteractionLoop.hpp"
 
 #include <pkg/contact/CurvaturePhys.hpp>
+#include <pkg/geometry/Tolerances.hpp>
 
 #ifdef YADE_OPENMP
 #include <omp.h>
@@ -34,19 +35,25 @@ void SuperquadricInteractionLoop::action()
 	// A periodic image is not where its body is, and on several MPI ranks some bodies are others': there YADE's way is gone.
 	const bool direct = geometry && !scene->isPeriodic && scene->subdomain == 0;
 	const long size = pairs.size();
+	unsigned long stillApart = 0;
 #ifdef YADE_OPENMP
-#pragma omp parallel for schedule(guided) num_threads(threads)
+#pragma omp parallel for schedule(guided) num_threads(threads) reduction(+ : stillApart)
 #endif
 	for (long i = 0; i < size; ++i) {
 		if (i + fetchAhead < size) fetch(pairs[i + fetchAhead]);
 		PairTable::Row& row = pairs[i];
-		if (direct && row.superquadrics)
+		if (direct && isStillApart(row))
+			++stillApart;
+		else if (direct && row.superquadrics)
 			solve(row);
 		else
 			dispatch(row);
 	}
+	if (geometry) geometry->countStillApart(stillApart);
 	eraseUnseen();
 }
+
+void SuperquadricInteractionLoop::preSave(SuperquadricInteractionLoop&) { pairs.writeMemories(); }
 
 void SuperquadricInteractionLoop::prepare()
 {
@@ -71,19 +78,30 @@ void SuperquadricInteractionLoop::prepare()
 	}
 }
 
-// Two superquadrics. As long as they do not touch, their interaction is not even looked at.
+// Two superquadrics. As long as they do not touch, their interaction is not even looked at; and as long as they have not moved by the
+// width of the gap that was proved between them, nor are they themselves.
+bool SuperquadricInteractionLoop::isStillApart(const PairTable::Row& row) const
+{
+	return row.superquadrics && !row.real && bodies.travel(row.id1) + bodies.travel(row.id2) < row.apartUntil;
+}
+
 void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 {
-	const auto contact = geometry->solveAt(*bodies[row.id1].placement, *bodies[row.id2].placement, row.warm);
-	if (!touches(contact) && !row.real) return;
-
+	const superquadric::Placement &body1 = *bodies[row.id1].placement, &body2 = *bodies[row.id2].placement;
+	const auto contact = geometry->solveAt(body1, body2, row.warm);
+	if (!touches(contact)) {
+		const Real gap = -contact.overlap, least = superquadric::tolerances::gapReserve * (body1.shape.boundingRadius() + body2.shape.boundingRadius());
+		const bool counts = contact.status == superquadric::Status::Apart && gap > least;
+		row.apartUntil = counts ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
+		if (!row.real) return;
+	}
 	const shared_ptr<Interaction>& interaction = *row.interaction;
-	if (row.real && interaction->isReal() && touches(contact) && interaction->functorCache.constLaw.get() == fastLaw)
+	if (row.followed && interaction->isReal() && touches(contact))
 		follow(row, contact, *interaction);
 	else
 		meet(row, contact, interaction);
 	callBack(*interaction);
-	row.note();
+	row.note(fastLaw);
 }
 
 // Two superquadrics that touched before and still do, under a law that needs no more than their motion.
@@ -91,7 +109,6 @@ void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superq
 {
 	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
 	auto& geom = static_cast<SuperquadricGeom&>(*interaction.geom);
-	geom.setWarmStart(row.warm);
 	geom.setSides(sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1), sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2));
 	geom.follow(contact, *row1.motion, *row2.motion, scene->dt);
 	const ContactLoad load = movingBodiesLaw->load(geom, *interaction.phys, *row1.motion, *row2.motion);
@@ -118,10 +135,10 @@ void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superqua
 // The rows themselves are in order in memory; what they point to is not.
 void SuperquadricInteractionLoop::fetch(const PairTable::Row& row) const
 {
-	if (!row.superquadrics) return;
+	if (!row.superquadrics || isStillApart(row)) return;
 	fetchLines(&bodies[row.id2], row.real ? sizeof(BodyTable::Row) : sizeof(superquadric::Placement));
 	if (!row.real) return;
-	fetchLines(row.interactionAt, sizeof(Interaction));
+	fetchLines(row.partsAt, 1);
 	fetchLines(row.geomAt, sizeof(SuperquadricGeom));
 	fetchLines(row.physAt, sizeof(CurvaturePhys));
 }
@@ -145,7 +162,7 @@ void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 		callBack(*interaction);
 	} else if (wasReal)
 		scene->interactions->requestErase(interaction);
-	row.note();
+	row.note(fastLaw);
 }
 
 bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2) const

@@ -14,11 +14,14 @@ namespace yade {
 class SuperquadricInteractionLoop : public InteractionLoop {
 public:
 	void action() override;
+	// Called by YADE before the engine is saved, which is before the interactions are.
+	void preSave(SuperquadricInteractionLoop&);
 
 private:
 	using Callback = std::pair<IntrCallback*, IntrCallback::FuncPtr>;
 
 	void prepare();
+	bool isStillApart(const PairTable::Row& row) const;
 	void solve(PairTable::Row& row);
 	void follow(const PairTable::Row& row, const superquadric::Contact& contact, Interaction& interaction);
 	void meet(const PairTable::Row& row, const superquadric::Contact& contact, const shared_ptr<Interaction>& interaction) const;

@@ -16,6 +16,7 @@ Contact Contact::reversed() const
 SolverCounters& SolverCounters::operator+=(const SolverCounters& other)
 {
 	solves += other.solves;
+	stillApart += other.stillApart;
 	rejectedBySphere += other.rejectedBySphere;
 	rejectedByDirection += other.rejectedByDirection;
 	rejectedByBox += other.rejectedByBox;

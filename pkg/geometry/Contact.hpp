@@ -18,7 +18,7 @@ struct Contact {
 	Status status = Status::Uncertified;
 	Vector3 point = Vector3::Zero(); // X0: equally deep in both bodies; world frame [m]
 	Vector3 normal = Vector3::Zero(); // unit, body 1 to body 2; the separating direction when Apart
-	double overlap = 0; // [m]; meaningful only for Overlap and Touching
+	double overlap = 0; // [m]; of two superquadrics that are Apart, minus a proven width of the gap along the normal
 	Vector3 surface1 = Vector3::Zero(), surface2 = Vector3::Zero(); // X_i and X_j [m]
 	double curvature1 = 0, curvature2 = 0; // mean curvature at the surface points, 0 for a wall [1/m]
 	double lower = 0, upper = 0; // bounds of t*; lower stays 0 where an overlap needs none, upper is the scaling at X0
@@ -48,6 +48,7 @@ struct WarmStart {
 // Counts of a solver, for trust: nothing is resolved in silence.
 struct SolverCounters {
 	unsigned long solves = 0; // pairs looked at
+	unsigned long stillApart = 0; // pairs not looked at, because a proven gap had not been used up yet; not among the solves
 	unsigned long rejectedBySphere = 0, rejectedByDirection = 0, rejectedByBox = 0; // settled without iterating
 	unsigned long coldStarts = 0; // Newton runs without a remembered point
 	unsigned long iterations = 0; // of Newton, in all

@@ -66,6 +66,7 @@ namespace {
 				contact_.status = Status::Apart;
 				contact_.normal = direction;
 				contact_.lower = distance / reach;
+				contact_.overlap = reach - distance;
 			} else if (!proveApart(direction))
 				return false;
 			++counters_.rejectedByDirection;
@@ -107,6 +108,7 @@ namespace {
 			contact_.status = Status::Apart;
 			contact_.normal = direction;
 			contact_.lower = distance / supports;
+			contact_.overlap = supports - distance;
 			warm_.kind = WarmStart::Direction;
 			warm_.value = problem_.body1().toBody(direction);
 			warm_.seenBy2 = problem_.body2().toBody(direction);

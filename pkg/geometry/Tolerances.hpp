@@ -25,6 +25,10 @@ constexpr double smallTurn = 1e-4;
 // flat faces all but touch, any point of them does.
 constexpr double normalRounding = 1e-14;
 
+// A gap counts as used up when the bodies have moved by all but this part of it; and one below this part of the bodies' size is not
+// counted on at all, for the rounding of many small motions.
+constexpr double gapReserve = 1e-6;
+
 // Rounding of a support function, relative.
 constexpr double supportRounding = 1e-14;
 

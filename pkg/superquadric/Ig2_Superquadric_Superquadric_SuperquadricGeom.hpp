@@ -13,6 +13,8 @@ public:
 	superquadric::Contact solveAt(const superquadric::Placement& body1, const superquadric::Placement& body2, superquadric::WarmStart& warm);
 	static bool describe(const superquadric::Contact& contact, const superquadric::Placement& body1, const superquadric::Placement& body2,
 	                     const ContactPair& pair, const superquadric::WarmStart& warm);
+	// Pairs that a loop knew to be apart without asking.
+	void countStillApart(unsigned long pairs) { solverCounters.ofThisThread().stillApart += pairs; }
 	boost::python::dict counters() const { return solverCounters.asDict(); }
 	void resetCounters() { solverCounters.reset(); }
 

@@ -28,6 +28,7 @@ public:
 		const superquadric::SolverCounters total = sum();
 		boost::python::dict result;
 		result["solves"] = total.solves;
+		result["stillApart"] = total.stillApart;
 		result["rejectedBySphere"] = total.rejectedBySphere;
 		result["rejectedByDirection"] = total.rejectedByDirection;
 		result["rejectedByBox"] = total.rejectedByBox;
