@@ -27,7 +27,7 @@ void PairTable::writeMemories() const
 {
 	for (const Row& row : rows)
 		if (row.superquadrics && row.real)
-			if (auto* geom = dynamic_cast<SuperquadricGeom*>((*row.interaction)->geom.get())) geom->setWarmStart(row.warm);
+			if (auto* geom = dynamic_cast<SuperquadricGeom*>(row.interaction->geom.get())) geom->setWarmStart(row.warm);
 }
 
 bool PairTable::isUpToDate(InteractionContainer& interactions) const
@@ -43,7 +43,7 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
 		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), /*followed*/ false, /*apartUntil*/ -1,
-		                  memoryOf(*interaction), &interaction, &interaction->geom, interaction->geom.get(), interaction->phys.get() });
+		                  memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
 	}
 	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
 	std::sort(fresh.begin(), fresh.end(), earlier);
@@ -52,7 +52,7 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	for (Row& row : fresh) {
 		while (old != rows.end() && earlier(*old, row))
 			++old;
-		if (old != rows.end() && !earlier(row, *old) && *old->interaction == *row.interaction && row.superquadrics) {
+		if (old != rows.end() && !earlier(row, *old) && old->interaction == row.interaction && row.superquadrics) {
 			row.warm = old->warm; // newer than the geometry's
 			row.apartUntil = bodiesAreNew ? -1 : old->apartUntil;
 		}

@@ -20,14 +20,15 @@ public:
 		bool followed; // and the law that the loop knows how to ask
 		Real apartUntil; // the sum of both bodies' travels up to which they are proved apart [m]
 		superquadric::WarmStart warm;
-		shared_ptr<Interaction>* interaction; // in `known`
-		// Where the parts of the interaction that are needed were at the last step, for the processor to fetch ahead; never looked into.
-		const void *partsAt, *geomAt, *physAt;
+		Interaction* interaction;
+		const shared_ptr<Interaction>* handle; // the same, in `known`
+		// Where the parts of the interaction were at the last step, for the processor to fetch ahead; never looked into.
+		const void *geomAt, *physAt;
 
-		// After the step's work.
+		// After a contact has begun or ended.
 		void note(const LawFunctor* followedLaw)
 		{
-			const Interaction& now = **interaction;
+			const Interaction& now = *interaction;
 			real = now.isReal();
 			followed = real && now.functorCache.constLaw.get() == followedLaw;
 			geomAt = now.geom.get();

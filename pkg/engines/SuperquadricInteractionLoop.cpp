@@ -14,6 +14,8 @@ YADE_PLUGIN((SuperquadricInteractionLoop));
 namespace {
 	// Pairs between asking the memory for an interaction and using it: about as long as the memory takes.
 	constexpr long fetchAhead = 16;
+	// The solver's memory, at the end of the geometry, is written when the scene is saved only.
+	constexpr size_t writtenPart = sizeof(SuperquadricGeom) - sizeof(superquadric::WarmStart);
 
 	void fetchLines(const void* address, size_t bytes)
 	{
@@ -95,23 +97,23 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 		row.apartUntil = counts ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
 		if (!row.real) return;
 	}
-	const shared_ptr<Interaction>& interaction = *row.interaction;
-	if (row.followed && interaction->isReal() && touches(contact))
-		follow(row, contact, *interaction);
-	else
-		meet(row, contact, interaction);
-	callBack(*interaction);
-	row.note(fastLaw);
+	if (row.followed && row.interaction->isReal() && touches(contact))
+		follow(row, contact);
+	else {
+		meet(row, contact);
+		row.note(fastLaw);
+	}
+	callBack(*row.interaction);
 }
 
 // Two superquadrics that touched before and still do, under a law that needs no more than their motion.
-void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superquadric::Contact& contact, Interaction& interaction)
+void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superquadric::Contact& contact)
 {
 	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
-	auto& geom = static_cast<SuperquadricGeom&>(*interaction.geom);
+	auto& geom = static_cast<SuperquadricGeom&>(*row.interaction->geom);
 	geom.setSides(sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1), sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2));
 	geom.follow(contact, *row1.motion, *row2.motion, scene->dt);
-	const ContactLoad load = movingBodiesLaw->load(geom, *interaction.phys, *row1.motion, *row2.motion);
+	const ContactLoad load = movingBodiesLaw->load(geom, *row.interaction->phys, *row1.motion, *row2.motion);
 	scene->forces.addForce(row.id1, -load.force);
 	scene->forces.addForce(row.id2, load.force);
 	scene->forces.addTorque(row.id1, load.torque1);
@@ -119,8 +121,9 @@ void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superq
 }
 
 // A contact that begins or ends.
-void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superquadric::Contact& contact, const shared_ptr<Interaction>& interaction) const
+void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superquadric::Contact& contact) const
 {
+	const shared_ptr<Interaction>& interaction = *row.handle;
 	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene);
 	const Vector3r noShift = Vector3r::Zero();
 	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
@@ -138,15 +141,15 @@ void SuperquadricInteractionLoop::fetch(const PairTable::Row& row) const
 	if (!row.superquadrics || isStillApart(row)) return;
 	fetchLines(&bodies[row.id2], row.real ? sizeof(BodyTable::Row) : sizeof(superquadric::Placement));
 	if (!row.real) return;
-	fetchLines(row.partsAt, 1);
-	fetchLines(row.geomAt, sizeof(SuperquadricGeom));
+	fetchLines(&row.interaction->geom, 1);
+	fetchLines(row.geomAt, writtenPart);
 	fetchLines(row.physAt, sizeof(CurvaturePhys));
 }
 
 // Any other pair, as YADE's loop takes it.
 void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 {
-	const shared_ptr<Interaction>& interaction = *row.interaction;
+	const shared_ptr<Interaction>& interaction = *row.handle;
 	const shared_ptr<Body>&first = Body::byId(row.id1, scene), &second = Body::byId(row.id2, scene);
 	if (!first || !second || isForeign(*first, *second)) return scene->interactions->requestErase(interaction);
 	if (first->isClump() || second->isClump() || !first->shape || !second->shape || !findGeometry(row, *first, *second)) return;
@@ -177,7 +180,7 @@ bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2
 // A functor that knows the shapes in the other order gets the bodies in that order, now and in all later steps.
 bool SuperquadricInteractionLoop::findGeometry(PairTable::Row& row, Body& body1, Body& body2) const
 {
-	Interaction& interaction = **row.interaction;
+	Interaction& interaction = *row.interaction;
 	auto& cache = interaction.functorCache;
 	if (!cache.geomExists || cache.geom) return cache.geomExists;
 	bool swap = false;
@@ -226,7 +229,7 @@ void SuperquadricInteractionLoop::eraseUnseen()
 	InteractionContainer& interactions = *scene->interactions;
 	if (interactions.iterColliderLastRun < 0 || interactions.iterColliderLastRun != scene->iter) return;
 	for (long i = 0; i < pairs.size(); ++i) {
-		const Interaction& interaction = **pairs[i].interaction;
+		const Interaction& interaction = *pairs[i].interaction;
 		if (!interaction.isReal() && interaction.iterLastSeen < scene->iter) interactions.erase(interaction.getId1(), interaction.getId2(), interaction.linIx);
 	}
 }

@@ -23,8 +23,8 @@ private:
 	void prepare();
 	bool isStillApart(const PairTable::Row& row) const;
 	void solve(PairTable::Row& row);
-	void follow(const PairTable::Row& row, const superquadric::Contact& contact, Interaction& interaction);
-	void meet(const PairTable::Row& row, const superquadric::Contact& contact, const shared_ptr<Interaction>& interaction) const;
+	void follow(const PairTable::Row& row, const superquadric::Contact& contact);
+	void meet(const PairTable::Row& row, const superquadric::Contact& contact) const;
 	void fetch(const PairTable::Row& row) const;
 	void dispatch(PairTable::Row& row);
 	bool isForeign(const Body& body1, const Body& body2) const;
