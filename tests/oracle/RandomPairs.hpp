@@ -1,8 +1,10 @@
-// Random pairs for the oracle: shapes different on both sides, within 5 % of touching, a third aligned on purpose. Each pair depends on
-// the seed and its number only, so that any part of a long run can be repeated alone.
+// Random pairs for the oracle: shapes different on both sides, within 5 % of touching, a third aligned on purpose; or of given exponents.
+// Each pair depends on the seed and its number only, so that any part of a long run can be repeated alone.
 #pragma once
 
 #include <tests/unit/RandomBodies.hpp>
+
+#include <array>
 
 namespace superquadric::testing {
 
@@ -21,11 +23,29 @@ public:
 		rotation1 = random.rotation();
 		rotation2 = random.rotation();
 		along = random.direction();
-		if (random.index(3) == 0) align();
+		if (random.index(3) == 0) align(random.index(4));
 		if (random.index(2)) swapBodies();
 		const double distance = random.index(4) ? random.uniform(0, 0.05) : random.logarithmic(1e-13, 0.05);
 		scaling = random.index(2) ? 1 + distance : 1 - distance;
 		place = random.uniform(0, 3) * random.direction();
+	}
+
+	// Of given exponents, aspects to 3 and size ratios to 5, at random or with faces, edges or corners on each other, half of these all but
+	// exactly. Where they are is left open.
+	RandomPair(std::uint64_t seed, std::uint64_t number, const std::array<double, 2>& exponents1, const std::array<double, 2>& exponents2, bool aligned)
+	        : random(mixed(seed, number)), n11(exponents1[0]), n12(exponents1[1]), n21(exponents2[0]), n22(exponents2[1])
+	{
+		for (Vector3* sizes : { &sizes1, &sizes2 })
+			for (double& size : *sizes)
+				size = random.logarithmic(0.58, 1.73);
+		sizes2 *= random.logarithmic(0.2, 1);
+		rotation1 = random.rotation();
+		rotation2 = random.rotation();
+		along = random.direction();
+		place = random.direction();
+		if (!aligned) return;
+		align(random.index(3));
+		if (random.index(2)) rotation2 = turn(random.logarithmic(1e-9, 1e-2), random.direction()) * rotation2;
 	}
 
 	RandomBodies random;
@@ -33,7 +53,7 @@ public:
 	double n11, n12, n21, n22; // n1 and n2 of body 1, then of body 2
 	Matrix3 rotation1, rotation2;
 	Vector3 along; // direction of the centres, not yet their distance
-	double scaling; // t* that the pair is to have: within 5 % of touching, every fourth one by orders of magnitude closer
+	double scaling = 1; // t* that the pair is to have: within 5 % of touching, every fourth one by orders of magnitude closer
 	Vector3 place; // of body 1
 	const char* kind = "random";
 
@@ -55,13 +75,13 @@ private:
 		std::swap(rotation1, rotation2);
 	}
 
-	void align()
+	void align(int way)
 	{
 		const Matrix3 frame = random.index(2) ? Matrix3(Matrix3::Identity()) : random.rotation();
 		const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY(), z = Vector3::UnitZ();
 		rotation1 = frame;
 		along = frame.col(random.index(3));
-		switch (random.index(4)) {
+		switch (way) {
 			case 0: // a face on a face, turned in quarters, half of them aside
 				kind = "face on face";
 				rotation2 = frame * turn(random.index(4) * pi / 2, random.index(2) ? x : z);
