@@ -213,9 +213,18 @@ namespace {
 		{
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
 			const double guess1 = firstGuess(body1, point.at1, point.axis), guess2 = firstGuess(body2, point.at2, -point.axis);
-			if (last.length <= tolerances::lastStep) problem_.advance(point, last); // else it is made of rounding
+			if (last.length <= tolerances::lastStep) advanceInside(point, last); // else it is made of rounding
 			describe(point, guess1, guess2);
 			return true;
+		}
+
+		// The point is the overlap's proof: where the overlap is as shallow as the step is long, the step must not leave it.
+		void advanceInside(PairPoint& point, const NewtonStep& last)
+		{
+			if (1 - point.upper() > 2 * tolerances::lastStep) return problem_.advance(point, last);
+			const PairPoint before = point;
+			problem_.advance(point, last);
+			if (!(point.upper() < 1)) point = before;
 		}
 
 		void describe(const PairPoint& point, double guess1, double guess2)
