@@ -57,15 +57,15 @@ class RestingCube:
         return None if overlap is None else kinetic / (state.mass * GRAVITY * overlap)
 
     def settle(self, most):
-        """Step until it is at rest, in thousands; the number of steps, None when `most` were not enough."""
+        """Step until it is at rest, by 5,000 at a time; the number of steps, None when `most` were not enough."""
         while O.iter < most:
-            O.run(1000, wait=True)
+            O.run(5000, wait=True)
             energy = self.energy()
             if energy is not None and energy < REST:
                 return O.iter
         return None
 
-    def watch(self, steps, looks=20):
+    def watch(self, steps, looks=10):
         """`Drift` over that many steps from now, looked at `looks` times."""
         state = self.cube.state
         place, orientation = Vector3(state.pos), Quaternion(state.ori)

@@ -3,7 +3,7 @@
     yade -n -x scripts/resting_cube.py [STEPS]
 
 Prints a table; 1,000,000 steps each by default, which takes about a minute and a half. m g d is weight times overlap. At rest means a kinetic energy
-below 1e-10 m g d; the drift is counted from then on, or from the million-and-first step of a cube that never was.
+below 1e-10 m g d; the drift is counted from then on, or after 1,000,000 steps of a cube that never was.
 """
 import sys
 

@@ -50,6 +50,17 @@ def test_it_stays_on_a_slope_below_the_angle_of_friction():
     assert (contact.geom.contactPoint - cube.cube.state.pos)[0] == pytest.approx(slope * HALF, rel=1e-2)
 
 
+def test_without_rolling_friction_it_goes_on_spinning():
+    """A single point has no lever against a turn about the normal: only the rolling couple (13) takes that out."""
+    cube = RestingCube('wall', young=1e8, rollingFriction=0)
+    O.run(100000, wait=True)
+    before = cube.cube.state.angVel[2]
+    O.run(STEPS, wait=True)
+
+    assert abs(before) > 1e-3
+    assert cube.cube.state.angVel[2] == pytest.approx(before, rel=1e-3)
+
+
 def test_it_slides_down_a_slope_above_the_angle_of_friction():
     cube = RestingCube('wall', young=1e8, slope=0.5)
 
