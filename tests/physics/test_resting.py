@@ -1,9 +1,13 @@
 """A cube that is dropped on a wall or on another cube comes to rest, flat or leaning on a slope, and stays."""
+import math
+
 import pytest
-from yade import O
+from yade import O, utils
+from yade.minieigenHP import Quaternion, Vector3
+from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.restingcube import HALF, REST, RestingCube
+from yade.superquadric.restingcube import HALF, REST, STUDY, RestingCube
 
 STEPS = 100000
 
@@ -34,6 +38,26 @@ def test_at_last_it_does_not_move_at_all(floor):
     assert drift.shift == 0
     assert drift.turn < 1e-15
     assert drift.energy < 1e-20
+
+
+def test_a_tower_comes_to_rest_and_does_not_move_at_all():
+    """Four cubes, shifted and tilted against each other a little."""
+    O.reset()
+    stuff = CurvatureMat(young=1e8, **STUDY)
+    O.bodies.append(utils.wall(0, axis=2, material=stuff))
+    for i in range(4):
+        place = 0.1 * HALF * Vector3(math.cos(2.3 * i), math.sin(2.3 * i), 0) + HALF * Vector3(0, 0, 2.003 * i + 1.003)
+        tilt = Quaternion(Vector3(math.cos(i), math.sin(i), 0), 2e-3)
+        O.bodies.append(sq.superquadric(place, (HALF,) * 3, 8, 8, material=stuff, orientation=tilt))
+    O.engines = sq.superquadricEngines()
+    O.dt = 0.1 * sq.criticalTimeStep()
+
+    O.run(STEPS, wait=True)
+    places = [Vector3(body.state.pos) for body in O.bodies]
+    O.run(STEPS, wait=True)
+    assert [body.state.pos for body in O.bodies] == places
+    # Each stands on the one below, lower by the overlaps.
+    assert [place[2] / HALF for place in places[1:]] == pytest.approx([1, 3, 5, 7], abs=5e-3)
 
 
 def test_it_stays_on_a_slope_below_the_angle_of_friction():
