@@ -17,14 +17,14 @@ from . import checks
 def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=()):
     """The full list of engines, to be assigned to `O.engines`.
 
+    Forces are added up in the order of the bodies' ids (`SuperquadricInteractionLoop`): on one thread a scene that is saved, loaded
+    and continued equals one that never stopped, bit for bit.
+
     :param gravity: [m/s2]
     :param verletDist: margin [m] that the collider adds to the boxes so that it need not run at every step; YADE's
         automatic choice knows spheres only, therefore by default a fifth of the smallest half size in the scene
     :param damping: YADE's non-viscous damping [-]; 0 leaves the dissipation to the contact law
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
-    Forces are added up in the order of the bodies' ids (`SuperquadricInteractionLoop`): on one thread a scene that is saved, loaded
-    and continued equals one that never stopped, bit for bit.
-
     Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
     that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
 

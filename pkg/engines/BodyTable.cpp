@@ -1,16 +1,28 @@
 #include "BodyTable.hpp"
 
+#include <pkg/geometry/Tolerances.hpp>
+
 namespace yade {
+
+namespace {
+	// With MPI, bodies of other ranks are here for the contacts across the border only.
+	bool isOfThisRank(const Body& body, const Scene& scene)
+	{
+#ifdef YADE_MPI
+		return body.subdomain == scene.subdomain;
+#else
+		return true;
+#endif
+	}
+}
 
 bool BodyTable::update(const Scene& scene, int threads)
 {
 	const auto& bodies = *scene.bodies;
 	const long size = bodies.size();
-	bool changed = size != long(rows.size());
-	if (changed) {
-		rows = std::vector<Row>(size);
-		shapes.clear();
-	}
+	// Of grains that grow, no two steps have the same shapes.
+	bool changed = size != long(rows.size()) || shapes.size() > size_t(2 * size);
+	if (changed) forget(size);
 #ifdef YADE_OPENMP
 #pragma omp parallel for schedule(static) num_threads(threads) reduction(|| : changed)
 #endif
@@ -20,13 +32,21 @@ bool BodyTable::update(const Scene& scene, int threads)
 	return changed;
 }
 
+void BodyTable::forget(size_t size)
+{
+	rows = std::vector<Row>(size);
+	travels.assign(size, 0);
+	shapes.clear();
+}
+
 bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene& scene)
 {
 	Row& row = rows[id];
-	const Shape* shape = body && !body->isClump() ? body->shape.get() : nullptr;
-	bool changed = shape != row.shape;
+	const bool takesPart = body && !body->isClump() && isOfThisRank(*body, scene);
+	const Shape* shape = takesPart ? body->shape.get() : nullptr;
+	bool changed = shape != row.shape.get();
 	if (changed) {
-		row.shape = shape;
+		row.shape = shape ? body->shape : shared_ptr<Shape>();
 		row.ours = dynamic_cast<const Superquadric*>(shape);
 		row.placement.reset();
 		row.motion.reset();
@@ -36,8 +56,10 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 	const std::optional<superquadric::Placement> before = row.placement;
 	place(row, *body->state);
 	row.motion.emplace(*body, scene);
-	if (!changed) travels[id] += motionBound(*before, *row.placement);
-	return changed;
+	if (changed) return true;
+	const Real moved = motionBound(*before, *row.placement);
+	if (moved > 0) travels[id] = (travels[id] + moved) * (1 + superquadric::tolerances::sumRounding); // never less than the sum
+	return !(travels[id] < superquadric::tolerances::longestTravel * row.placement->shape.boundingRadius());
 }
 
 void BodyTable::place(Row& row, const State& state)

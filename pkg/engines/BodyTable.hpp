@@ -18,11 +18,12 @@ public:
 	struct Row {
 		std::optional<superquadric::Placement> placement; // of a superquadric only
 		std::optional<MovingBody> motion; // likewise
-		const Shape* shape = nullptr;
+		shared_ptr<Shape> shape; // held, so that no other can take its address unnoticed
 		const Superquadric* ours = nullptr; // the same, if it is one
 	};
 
-	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time: all rows are then new.
+	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time, or when the sums of travel
+	// are used up: all travels are then zero again.
 	bool update(const Scene& scene, int threads);
 
 	const Row& operator[](Body::id_t id) const { return rows[id]; }
@@ -31,6 +32,7 @@ public:
 	bool isSuperquadric(Body::id_t id) const { return size_t(id) < rows.size() && rows[id].placement.has_value(); }
 
 private:
+	void forget(size_t size);
 	bool refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene& scene);
 	void place(Row& row, const State& state);
 	static Real motionBound(const superquadric::Placement& before, const superquadric::Placement& after);

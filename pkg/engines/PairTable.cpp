@@ -26,7 +26,7 @@ void PairTable::update(InteractionContainer& interactions, const BodyTable& bodi
 void PairTable::writeMemories() const
 {
 	for (const Row& row : rows)
-		if (row.superquadrics && row.real)
+		if (row.ownsMemory)
 			if (auto* geom = dynamic_cast<SuperquadricGeom*>(row.interaction->geom.get())) geom->setWarmStart(row.warm);
 }
 
@@ -42,7 +42,8 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	fresh.reserve(held.size());
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
-		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), /*followed*/ false, /*apartUntil*/ -1,
+		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), /*ownsMemory*/ false,
+		                  interaction->functorCache.constLaw.get(), /*apartUntil*/ -1,
 		                  memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
 	}
 	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
@@ -52,8 +53,9 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	for (Row& row : fresh) {
 		while (old != rows.end() && earlier(*old, row))
 			++old;
-		if (old != rows.end() && !earlier(row, *old) && old->interaction == row.interaction && row.superquadrics) {
-			row.warm = old->warm; // newer than the geometry's
+		if (old != rows.end() && !earlier(row, *old) && old->interaction == row.interaction && old->ownsMemory) {
+			row.warm = old->warm;
+			row.ownsMemory = true;
 			row.apartUntil = bodiesAreNew ? -1 : old->apartUntil;
 		}
 	}

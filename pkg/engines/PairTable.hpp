@@ -17,7 +17,8 @@ public:
 		Body::id_t id1, id2; // as the interaction names them
 		bool superquadrics; // both: the row is solved from here, any other by YADE's dispatch
 		bool real; // the interaction has geom and phys
-		bool followed; // and the law that the loop knows how to ask
+		bool ownsMemory; // `warm` is newer than what the interaction's geometry remembers
+		const LawFunctor* law; // the interaction's, once it is real
 		Real apartUntil; // the sum of both bodies' travels up to which they are proved apart [m]
 		superquadric::WarmStart warm;
 		Interaction* interaction;
@@ -26,11 +27,11 @@ public:
 		const void *geomAt, *physAt;
 
 		// After a contact has begun or ended.
-		void note(const LawFunctor* followedLaw)
+		void note()
 		{
 			const Interaction& now = *interaction;
 			real = now.isReal();
-			followed = real && now.functorCache.constLaw.get() == followedLaw;
+			law = now.functorCache.constLaw.get();
 			geomAt = now.geom.get();
 			physAt = now.phys.get();
 		}

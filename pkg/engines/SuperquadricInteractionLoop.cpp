@@ -34,8 +34,8 @@ void SuperquadricInteractionLoop::action()
 #endif
 	const bool changed = bodies.update(*scene, threads);
 	pairs.update(*scene->interactions, bodies, changed);
-	// A periodic image is not where its body is, and on several MPI ranks some bodies are others': there YADE's way is gone.
-	const bool direct = geometry && !scene->isPeriodic && scene->subdomain == 0;
+	// A periodic image is not where its body is: there YADE's way is gone.
+	const bool direct = geometry && !scene->isPeriodic;
 	const long size = pairs.size();
 	unsigned long stillApart = 0;
 #ifdef YADE_OPENMP
@@ -63,9 +63,9 @@ void SuperquadricInteractionLoop::prepare()
 	geomDispatcher->updateScenePtr();
 	physDispatcher->updateScenePtr();
 	lawDispatcher->updateScenePtr();
-	geometry = nullptr;
+	geometry.reset();
 	for (const auto& functor : geomDispatcher->functors)
-		if (!geometry) geometry = dynamic_cast<Ig2_Superquadric_Superquadric_SuperquadricGeom*>(functor.get());
+		if (!geometry) geometry = YADE_PTR_DYN_CAST<Ig2_Superquadric_Superquadric_SuperquadricGeom>(functor);
 	fastLaw = nullptr;
 	movingBodiesLaw = nullptr;
 	for (const auto& functor : lawDispatcher->functors)
@@ -97,11 +97,12 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 		row.apartUntil = counts ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
 		if (!row.real) return;
 	}
-	if (row.followed && row.interaction->isReal() && touches(contact))
+	row.ownsMemory = true;
+	if (movingBodiesLaw && row.law == fastLaw && row.interaction->isReal() && touches(contact))
 		follow(row, contact);
 	else {
 		meet(row, contact);
-		row.note(fastLaw);
+		row.note();
 	}
 	callBack(*row.interaction);
 }
@@ -129,6 +130,7 @@ void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superqua
 	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
 	const bool wasReal = interaction->isReal();
 	if (!geometry->describe(contact, *bodies[row.id1].placement, *bodies[row.id2].placement, pair, row.warm)) return;
+	interaction->functorCache.geom = geometry;
 	makePhysics(interaction, body1, body2);
 	if (!wasReal) interaction->iterMadeReal = scene->iter;
 	findLaw(*interaction);
@@ -150,6 +152,7 @@ void SuperquadricInteractionLoop::fetch(const PairTable::Row& row) const
 void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 {
 	const shared_ptr<Interaction>& interaction = *row.handle;
+	row.ownsMemory = false;
 	const shared_ptr<Body>&first = Body::byId(row.id1, scene), &second = Body::byId(row.id2, scene);
 	if (!first || !second || isForeign(*first, *second)) return scene->interactions->requestErase(interaction);
 	if (first->isClump() || second->isClump() || !first->shape || !second->shape || !findGeometry(row, *first, *second)) return;
@@ -165,7 +168,7 @@ void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 		callBack(*interaction);
 	} else if (wasReal)
 		scene->interactions->requestErase(interaction);
-	row.note(fastLaw);
+	row.note();
 }
 
 bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2) const
@@ -199,7 +202,7 @@ void SuperquadricInteractionLoop::makePhysics(const shared_ptr<Interaction>& int
 	bool swap = false;
 	if (!cache.phys) cache.phys = physDispatcher->getFunctor2D(body1.material, body2.material, swap);
 	if (!cache.phys)
-		throw std::runtime_error("InteractionLoop: no Ip2 functor for the materials " + body1.material->getClassName() + " and " + body2.material->getClassName());
+		throw std::runtime_error("SuperquadricInteractionLoop: no Ip2 functor for the materials " + body1.material->getClassName() + " and " + body2.material->getClassName());
 	cache.phys->go(body1.material, body2.material, interaction);
 }
 
@@ -209,7 +212,7 @@ void SuperquadricInteractionLoop::findLaw(Interaction& interaction) const
 	auto& law = interaction.functorCache.constLaw;
 	if (!law) law = lawDispatcher->getFunctor2D(interaction.geom, interaction.phys, swap);
 	if (!law)
-		throw std::runtime_error("InteractionLoop: no Law2 functor for " + interaction.geom->getClassName() + " and " + interaction.phys->getClassName());
+		throw std::runtime_error("SuperquadricInteractionLoop: no Law2 functor for " + interaction.geom->getClassName() + " and " + interaction.phys->getClassName());
 }
 
 void SuperquadricInteractionLoop::applyLaw(const shared_ptr<Interaction>& interaction) const

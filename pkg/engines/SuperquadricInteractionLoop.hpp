@@ -39,7 +39,7 @@ private:
 	BodyTable bodies;
 	PairTable pairs;
 	// Of this step.
-	Ig2_Superquadric_Superquadric_SuperquadricGeom* geometry = nullptr;
+	shared_ptr<Ig2_Superquadric_Superquadric_SuperquadricGeom> geometry;
 	LawFunctor* fastLaw = nullptr; // the one behind `movingBodiesLaw`
 	MovingBodiesLaw* movingBodiesLaw = nullptr;
 	std::vector<Callback> activeCallbacks;

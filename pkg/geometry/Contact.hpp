@@ -42,9 +42,11 @@ struct WarmStart {
 	bool inBothFrames = false;
 	// Of a point: how far it had moved beyond what the bodies carried it, in the frame of body 1 [m]; it goes on like that for a while.
 	Vector3 drift = Vector3::Zero();
-	// Of a direction known in both frames, the sum of the supports that proved it [m]. While body 2 turns a little, its support grows by no
-	// more than its bounding radius times the change of the direction.
+	// Of a direction known in both frames, the sum of the supports that proved it [m], and the fingerprint of the shapes whose they are: a
+	// body that has grown since is not held to it. While body 2 turns a little, its support grows by no more than its bounding
+	// radius times the change of the direction.
 	double supports = 0;
+	long shapes = 0;
 };
 
 // Counts of a solver, for trust: nothing is resolved in silence.

@@ -15,7 +15,7 @@ public:
 		double coefficient = 1;
 		for (size_t k = 0; k < binomial_.size(); ++k) {
 			binomial_[k] = coefficient;
-			coefficient *= (1 / n - k) / (k + 1);
+			coefficient *= n > 0 ? (1 / n - k) / (k + 1) : 0;
 		}
 	}
 

@@ -62,7 +62,7 @@ namespace {
 			const double distance = direction.dot(problem_.between());
 			const double turned = (body2.toBody(direction) - warm_.seenBy2).norm();
 			const double reach = (warm_.supports + turned * body2.shape.boundingRadius()) * (1 + tolerances::supportRounding);
-			if (warm_.inBothFrames && distance > reach) {
+			if (warm_.inBothFrames && warm_.shapes == shapes() && distance > reach) {
 				contact_.status = Status::Apart;
 				contact_.normal = direction;
 				contact_.lower = distance / reach;
@@ -72,6 +72,8 @@ namespace {
 			++counters_.rejectedByDirection;
 			return true;
 		}
+
+		long shapes() const { return problem_.body1().shape.fingerprint() ^ (problem_.body2().shape.fingerprint() << 1); }
 
 		bool apartBySpheres()
 		{
@@ -114,6 +116,7 @@ namespace {
 			warm_.seenBy2 = problem_.body2().toBody(direction);
 			warm_.inBothFrames = true;
 			warm_.supports = supports;
+			warm_.shapes = shapes();
 		}
 
 		// What a step must lower, one of two: the scaling, or the scaling with a balance of unlike bodies. Of bodies that overlap the scaling is
@@ -138,7 +141,7 @@ namespace {
 			return iterate(point);
 		}
 
-		static bool isLast(const NewtonStep& step) { return step.length <= tolerances::lastStep || step.residual <= tolerances::normalRounding; }
+		static bool isLast(const NewtonStep& step) { return step.length <= tolerances::lastStep; }
 
 		bool iterate(PairPoint point)
 		{
@@ -206,14 +209,15 @@ namespace {
 			return true;
 		}
 
-		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0, 0 }; }
+		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0, true }; }
 
-		// The contact at the end of a last step: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
+		// The contact at the end of a last step, if it is one: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
 		bool accept(PairPoint& point, const NewtonStep& last)
 		{
+			if (!last.onRidge) return false;
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
 			const double guess1 = firstGuess(body1, point.at1, point.axis), guess2 = firstGuess(body2, point.at2, -point.axis);
-			if (last.length <= tolerances::lastStep) advanceInside(point, last); // else it is made of rounding
+			advanceInside(point, last);
 			describe(point, guess1, guess2);
 			return true;
 		}

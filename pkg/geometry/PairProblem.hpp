@@ -45,7 +45,7 @@ struct NewtonStep {
 	Vector3 step; // [m]
 	Vector3 local1, local2; // the same in the half sizes of either body
 	double length; // before it was limited, relative to the smallest half size
-	double residual; // what is left of the conditions across the axis, relative to the slope
+	bool onRidge; // both bodies hold the point; else the objective is lower beside the ridge g1 = g2, as in bodies that swallow each other
 };
 
 // The origin of x is the centre of the smaller body, where a small body's gauge is not blurred by the rounding of a long way.
@@ -163,7 +163,8 @@ inline NewtonStep PairProblem::newtonStep(const PairPoint& from, double regulari
 	const Vector3 a1 = body1_.toHalfSizes(across.first), b1 = body1_.toHalfSizes(across.second), n1 = body1_.toHalfSizes(from.axis);
 	const Vector3 a2 = body2_.toHalfSizes(across.first), b2 = body2_.toHalfSizes(across.second), n2 = body2_.toHalfSizes(from.axis);
 	// The weight with which the gradients and the pull together vanish along the axis.
-	const double w2 = std::clamp((p1.gradient.dot(from.axis) + pull * (p1.local.dot(n1) + p2.local.dot(n2))) * from.perSlope, 0.0, 1.0), w1 = 1 - w2;
+	const double held2 = (p1.gradient.dot(from.axis) + pull * (p1.local.dot(n1) + p2.local.dot(n2))) * from.perSlope;
+	const double w2 = std::clamp(held2, 0.0, 1.0), w1 = 1 - w2;
 	const double offA = p1.local.dot(a1) + p2.local.dot(a2), offB = p1.local.dot(b1) + p2.local.dot(b2); // grad q
 	const auto form = [&](const Vector3& u1, const Vector3& v1, const Vector3& u2, const Vector3& v2) {
 		return w1 * p1.jet.form(u1, v1) + w2 * p2.jet.form(u2, v2) + pull * (u1.dot(v1) + u2.dot(v2));
@@ -177,7 +178,10 @@ inline NewtonStep PairProblem::newtonStep(const PairPoint& from, double regulari
 	const double mBB = form(b1, b1, b2, b2) + second * offB * offB + extra;
 	const double mAB = form(a1, b1, a2, b2) + second * offA * offB;
 	const double determinant = mAA * mBB - mAB * mAB;
-	const double scale = determinant > 0 ? 1 / determinant : 0; // else the balance alone
+	// Where flat faces all but touch and the conditions across the axis are met to rounding, a step across would be made of it.
+	const double met = tolerances::normalRounding * from.slope;
+	const bool blurred = pull < tolerances::blurredPull && restA * restA + restB * restB <= met * met;
+	const double scale = determinant > 0 && !blurred ? 1 / determinant : 0;
 	const double a = (rA * mBB - rB * mAB) * scale, b = (rB * mAA - rA * mAB) * scale;
 
 	NewtonStep result;
@@ -185,7 +189,7 @@ inline NewtonStep PairProblem::newtonStep(const PairPoint& from, double regulari
 	result.local1 = balance * n1 + a * a1 + b * b1;
 	result.local2 = balance * n2 + a * a2 + b * b2;
 	result.length = std::sqrt(balance * balance + a * a + b * b) / smallest_;
-	result.residual = std::sqrt(restA * restA + restB * restB) * from.perSlope;
+	result.onRidge = held2 >= 0 && held2 <= 1;
 	if (!(result.length <= tolerances::longestStep)) limit(result);
 	return result;
 }

@@ -2,7 +2,10 @@
 
 #include "Tolerances.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -60,6 +63,19 @@ namespace {
 		return scale * std::sqrt(norm(norm(squares.x(), squares.y(), halved(n2)), squares.z(), halved(n1)));
 	}
 
+	// FNV-1a over the bits (Fowler, Noll & Vo), with a shift so that the high bits of a double reach the low ones.
+	std::uint64_t fingerprintOf(const std::array<double, 5>& values)
+	{
+		std::uint64_t result = 14695981039346656037u;
+		for (const double value : values) {
+			std::uint64_t bits;
+			std::memcpy(&bits, &value, sizeof bits);
+			result = (result ^ bits) * 1099511628211u;
+			result ^= result >> 29;
+		}
+		return result;
+	}
+
 } // namespace
 
 Shape::Shape(const Vector3& halfSizes, double n1, double n2)
@@ -74,6 +90,7 @@ Shape::Shape(const Vector3& halfSizes, double n1, double n2)
 	inverse_        = halfSizes.cwiseInverse();
 	smallest_       = halfSizes.minCoeff();
 	boundingRadius_ = farthestPoint(halfSizes, n1, n2);
+	fingerprint_    = long(fingerprintOf({ halfSizes.x(), halfSizes.y(), halfSizes.z(), n1, n2 }));
 }
 
 double Shape::gauge(const Vector3& x) const

@@ -30,6 +30,8 @@ public:
 	double n1() const { return n1_.value(); }
 	double n2() const { return n2_.value(); }
 
+	// The same for equal shapes, different for others for all practical purposes.
+	long fingerprint() const { return fingerprint_; }
 	bool operator==(const Shape& other) const { return halfSizes_ == other.halfSizes_ && n1() == other.n1() && n2() == other.n2(); }
 
 	// f of eq. (1).
@@ -62,6 +64,7 @@ private:
 	Vector3 halfSizes_, inverse_;
 	Exponent n1_, n2_, side_; // side_: n1/n2 - 1, of the inner sum's power in the derivatives of f
 	double smallest_, boundingRadius_;
+	long fingerprint_;
 };
 
 inline GaugeJet Shape::jet(const Vector3& y) const

@@ -24,10 +24,15 @@ constexpr double smallTurn = 1e-4;
 // The conditions of the contact centre are met to rounding: the gradients across the normal, relative to those along it. Where two
 // flat faces all but touch, any point of them does.
 constexpr double normalRounding = 1e-14;
+// With a pull to the middle of more than this, that rounding moves the point by less than the last step.
+constexpr double blurredPull = 1e-8;
 
-// A gap counts as used up when the bodies have moved by all but this part of it; and one below this part of the bodies' size is not
-// counted on at all, for the rounding of many small motions.
+// A gap counts as used up when the bodies have moved by all but this part of it; and this part of their size is kept in reserve, for the
+// rounding of the sums of their motions. These are rounded upwards, by the second number at a time, and begin anew when one has
+// reached so many bounding radii: it then rounds by a billionth of the reserve.
 constexpr double gapReserve = 1e-6;
+constexpr double sumRounding = 4.5e-16;
+constexpr double longestTravel = 1e3;
 
 // Rounding of a support function, relative.
 constexpr double supportRounding = 1e-14;

@@ -13,6 +13,7 @@ superquadric::WarmStart SuperquadricGeom::warmStart() const
 	warm.inBothFrames = warmInBothFrames;
 	warm.drift = warmDrift;
 	warm.supports = warmSupports;
+	warm.shapes = warmShapes;
 	return warm;
 }
 
@@ -24,6 +25,7 @@ void SuperquadricGeom::setWarmStart(const superquadric::WarmStart& warm)
 	warmInBothFrames = warm.inBothFrames;
 	warmDrift = warm.drift;
 	warmSupports = warm.supports;
+	warmShapes = warm.shapes;
 }
 
 void SuperquadricGeom::setSides(const Side& side1, const Side& side2)

@@ -60,11 +60,12 @@ private:
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
 		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
-		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1: point from its centre [m] or unit direction. |yupdate|"))
+		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1, or of the particle at a wall: point from its centre [m] or unit direction. |yupdate|"))
 		((Vector3r, warmSeenBy2, Vector3r::Zero(), Attr::readonly, "The same in the frame of body 2. |yupdate|"))
 		((bool, warmInBothFrames, false, Attr::readonly, "Whether warmSeenBy2 is known. |yupdate|"))
 		((Vector3r, warmDrift, Vector3r::Zero(), Attr::readonly, "Of a point: how far it moved in the last step beyond what the bodies carried it, in the frame of body 1 [m]. |yupdate|"))
 		((Real, warmSupports, 0, Attr::readonly, "Of a direction: the sum of the supports that proved it [m]. |yupdate|"))
+		((long, warmShapes, 0, Attr::readonly, "Of a direction: fingerprint of the shapes that it was proved for. |yupdate|"))
 		, createIndex();
 	);
 	// clang-format on

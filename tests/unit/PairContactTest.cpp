@@ -91,7 +91,9 @@ TEST(PairContact, OfSpheresIsClosedForm)
 	RandomBodies random(71);
 	for (double size : sizes)
 		for (int i = 0; i < 100; ++i) {
-			const double radius1 = size * random.logarithmic(0.1, 1), radius2 = size * random.logarithmic(0.1, 1), t = random.uniform(0.7, 1.1);
+			const double radius1 = size * random.logarithmic(0.1, 1), radius2 = size * random.logarithmic(0.1, 1);
+			// Up to an overlap of half the smaller radius; deeper ones have swallowed each other.
+			const double t = 1 + random.uniform(-0.5, 0.1) * std::min(radius1, radius2) / (radius1 + radius2);
 			const Vector3 centre1 = size * random.direction(), normal = random.direction(), centre2 = centre1 + t * (radius1 + radius2) * normal;
 			const Body one { Shape(Vector3::Constant(radius1), 2, 2), centre1, random.rotation() }, two { Shape(Vector3::Constant(radius2), 2, 2), centre2, random.rotation() };
 			const Contact contact = contactOf(one, two);
@@ -111,8 +113,9 @@ TEST(PairContact, OverlapKeepsTheContract)
 {
 	RandomBodies random(72);
 	for (int i = 0; i < 1000; ++i) {
-		const double t = 1 - random.logarithmic(1e-6, 0.05);
-		const Pair pair = pairAt(random, t, sizes[i % 4]);
+		// Deeper ones have all but swallowed each other.
+		const Pair pair = sunk(pairAt(random, 1, sizes[i % 4]), random.logarithmic(1e-6, 0.1));
+		const double t = double(commonScaling(pair.one.placed(), pair.two.placed()).middle());
 		const Contact contact = contactOf(pair);
 		ASSERT_EQ(contact.status, Status::Overlap);
 		EXPECT_LT(contact.upper, 1);
