@@ -25,6 +25,7 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
         automatic choice knows spheres only, therefore by default a fifth of the smallest half size in the scene
     :param damping: YADE's non-viscous damping [-]; 0 leaves the dissipation to the contact law
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
+
     Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
     that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
 
