@@ -209,12 +209,11 @@ namespace {
 			return true;
 		}
 
-		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0, true }; }
+		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0 }; }
 
-		// The contact at the end of a last step, if it is one: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
+		// The contact at the end of a last step: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
 		bool accept(PairPoint& point, const NewtonStep& last)
 		{
-			if (!last.onRidge) return false;
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
 			const double guess1 = firstGuess(body1, point.at1, point.axis), guess2 = firstGuess(body2, point.at2, -point.axis);
 			advanceInside(point, last);

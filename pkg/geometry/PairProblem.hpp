@@ -7,7 +7,8 @@
 //   X0 = argmin over t(x) < 1 of  -ln(1 - t(x)) + c q(x),   q = (e1^2 + e2^2)/2,
 // with e_i the distance from centre i in half sizes: the deepest point, drawn to the middle of both bodies as far as the depth
 // allows. It is convex like t, so X0 is unique and moves smoothly. On the ridge g1 = g2 its conditions are those of t*
-// with c (1 - t) grad q added to the gradients. Where surfaces curve, X0 is the deepest point up to the order of the overlap.
+// with c (1 - t) grad q added to the gradients. (Of bodies that have half swallowed each other the minimum lies beside the ridge; the
+// solver then still takes a point on it, which is no longer unique.) Where surfaces curve, X0 is the deepest point up to the order of the overlap.
 #pragma once
 
 #include "Placement.hpp"
@@ -45,7 +46,6 @@ struct NewtonStep {
 	Vector3 step; // [m]
 	Vector3 local1, local2; // the same in the half sizes of either body
 	double length; // before it was limited, relative to the smallest half size
-	bool onRidge; // both bodies hold the point; else the objective is lower beside the ridge g1 = g2, as in bodies that swallow each other
 };
 
 // The origin of x is the centre of the smaller body, where a small body's gauge is not blurred by the rounding of a long way.
@@ -163,8 +163,7 @@ inline NewtonStep PairProblem::newtonStep(const PairPoint& from, double regulari
 	const Vector3 a1 = body1_.toHalfSizes(across.first), b1 = body1_.toHalfSizes(across.second), n1 = body1_.toHalfSizes(from.axis);
 	const Vector3 a2 = body2_.toHalfSizes(across.first), b2 = body2_.toHalfSizes(across.second), n2 = body2_.toHalfSizes(from.axis);
 	// The weight with which the gradients and the pull together vanish along the axis.
-	const double held2 = (p1.gradient.dot(from.axis) + pull * (p1.local.dot(n1) + p2.local.dot(n2))) * from.perSlope;
-	const double w2 = std::clamp(held2, 0.0, 1.0), w1 = 1 - w2;
+	const double w2 = std::clamp((p1.gradient.dot(from.axis) + pull * (p1.local.dot(n1) + p2.local.dot(n2))) * from.perSlope, 0.0, 1.0), w1 = 1 - w2;
 	const double offA = p1.local.dot(a1) + p2.local.dot(a2), offB = p1.local.dot(b1) + p2.local.dot(b2); // grad q
 	const auto form = [&](const Vector3& u1, const Vector3& v1, const Vector3& u2, const Vector3& v2) {
 		return w1 * p1.jet.form(u1, v1) + w2 * p2.jet.form(u2, v2) + pull * (u1.dot(v1) + u2.dot(v2));
@@ -189,7 +188,6 @@ inline NewtonStep PairProblem::newtonStep(const PairPoint& from, double regulari
 	result.local1 = balance * n1 + a * a1 + b * b1;
 	result.local2 = balance * n2 + a * a2 + b * b2;
 	result.length = std::sqrt(balance * balance + a * a + b * b) / smallest_;
-	result.onRidge = held2 >= 0 && held2 <= 1;
 	if (!(result.length <= tolerances::longestStep)) limit(result);
 	return result;
 }
