@@ -1,0 +1,89 @@
+"""SuperquadricInteractionLoop against YADE's own loop: the same contacts, whatever happens to the bodies between two steps."""
+import pytest
+from yade import O
+from yade import superquadric as sq
+from yade.minieigenHP import Quaternion, Vector3
+from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, SuperquadricInteractionLoop
+
+HALF_SIZE = 0.01
+LOOPS = [InteractionLoop, SuperquadricInteractionLoop]
+
+
+def pair(distance, loop=SuperquadricInteractionLoop):
+    """Two blocks side by side, weightless; the second one is returned."""
+    O.reset()
+    material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
+    for x in (0, distance):
+        O.bodies.append(sq.superquadric((x, 0, 0), extents=Vector3(1, 1, 1) * HALF_SIZE, n1=4, n2=4, material=material))
+    O.engines = sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.5 * HALF_SIZE)
+    ours = sq.engines.engine(InteractionLoop)
+    if loop is InteractionLoop:
+        functors = [dispatcher.functors for dispatcher in (ours.geomDispatcher, ours.physDispatcher, ours.lawDispatcher)]
+        O.engines = [InteractionLoop(*functors) if each == ours else each for each in O.engines]
+    O.dt = 1e-6
+    return O.bodies[1]
+
+
+@pytest.mark.parametrize('loop', LOOPS)
+def testABodyThatGrowsIsMet(loop):
+    second = pair(2.15 * HALF_SIZE, loop)
+    O.run(3, True)
+    assert O.interactions.countReal() == 0
+    second.shape.extents = (1.2 * HALF_SIZE, HALF_SIZE, HALF_SIZE)
+    O.run(2, True)
+    assert O.interactions.countReal() == 1
+
+
+@pytest.mark.parametrize('loop', LOOPS)
+@pytest.mark.parametrize('change', ['place', 'turn'])
+def testABodyThatIsPutElsewhereIsMet(loop, change):
+    # Along its diagonal the block reaches 1.19 half sizes: either motion closes the gap.
+    second = pair(2.15 * HALF_SIZE, loop)
+    O.run(3, True)
+    assert O.interactions.countReal() == 0
+    if change == 'place':
+        second.state.pos = Vector3(1.95 * HALF_SIZE, 0, 0)
+    else:
+        second.state.ori = Quaternion((0, 0, 1), 0.785)
+    O.run(2, True)
+    assert O.interactions.countReal() == 1
+
+
+def testAGapLastsUntilItIsUsedUp():
+    second = pair(2.1 * HALF_SIZE)
+    second.state.vel = Vector3(-0.1 * HALF_SIZE / 1000 / O.dt, 0, 0)  # closes the gap in 1,000 steps
+    O.run(990, True)
+    assert O.interactions.countReal() == 0
+    assert sq.solverCounters()['stillApart'] > 900
+    O.run(20, True)
+    assert O.interactions.countReal() == 1
+
+
+def testTheContactKeepsItsLawWhenTheListIsReplaced():
+    pair(1.99 * HALF_SIZE)
+    O.run(3, True)
+    loop = sq.engines.engine(InteractionLoop)
+    force = O.forces.f(0)[0]
+    loop.lawDispatcher.functors = [Law2_ScGeom_FrictPhys_CundallStrack()]
+    O.run(1, True)
+    assert O.forces.f(0)[0] == pytest.approx(force, rel=0.01)
+
+
+def testBothLoopsPushAlike():
+    forces = []
+    for loop in LOOPS:
+        second = pair(1.99 * HALF_SIZE, loop)
+        second.state.ori = Quaternion((0, 0, 1), 0.3)
+        second.state.vel, second.state.angVel = Vector3(0, 0.1, 0), Vector3(5, 0, 0)
+        O.run(200, True)
+        forces.append(Vector3(O.forces.f(1)))
+    assert (forces[0] - forces[1]).norm() < 1e-9 * forces[0].norm()
+    assert forces[0].norm() > 0
+
+
+def testErasedInteractionsComeBack():
+    pair(1.99 * HALF_SIZE)
+    O.run(3, True)
+    O.interactions.erase(0, 1)
+    O.run(2, True)
+    assert O.interactions[0, 1].isReal
