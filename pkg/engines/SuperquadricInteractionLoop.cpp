@@ -137,7 +137,8 @@ void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superqua
 	applyLaw(interaction);
 }
 
-// The rows themselves are in order in memory; what they point to is not.
+// The rows themselves are in order in memory; what they point to is not. Another thread may be at work on the row that is looked at:
+// whatever is read of it only tells the processor what to fetch.
 void SuperquadricInteractionLoop::fetch(const PairTable::Row& row) const
 {
 	if (!row.superquadrics || isStillApart(row)) return;
