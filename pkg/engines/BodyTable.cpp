@@ -58,6 +58,7 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 	row.motion.emplace(*body, scene);
 	if (changed) return true;
 	const Real moved = motionBound(*before, *row.placement);
+	if (!std::isfinite(moved)) return true; // a place that is not a number proves nothing, coming or going
 	if (moved > 0) travels[id] = (travels[id] + moved) * (1 + superquadric::tolerances::sumRounding); // never less than the sum
 	return !(travels[id] < superquadric::tolerances::longestTravel * row.placement->shape.boundingRadius());
 }

@@ -34,7 +34,7 @@ void SuperquadricInteractionLoop::action()
 #endif
 	const bool changed = bodies.update(*scene, threads);
 	pairs.update(*scene->interactions, bodies, changed);
-	// A periodic image is not where its body is: there YADE's way is gone.
+	// A periodic image is not where its body is: such pairs are left to YADE's dispatch.
 	const bool direct = geometry && !scene->isPeriodic;
 	const long size = pairs.size();
 	unsigned long stillApart = 0;
@@ -91,13 +91,13 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 {
 	const superquadric::Placement &body1 = *bodies[row.id1].placement, &body2 = *bodies[row.id2].placement;
 	const auto contact = geometry->solveAt(body1, body2, row.warm);
+	row.ownsMemory = true;
 	if (!touches(contact)) {
 		const Real gap = -contact.overlap, least = superquadric::tolerances::gapReserve * (body1.shape.boundingRadius() + body2.shape.boundingRadius());
 		const bool counts = contact.status == superquadric::Status::Apart && gap > least;
 		row.apartUntil = counts ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
 		if (!row.real) return;
 	}
-	row.ownsMemory = true;
 	if (movingBodiesLaw && row.law == fastLaw && row.interaction->isReal() && touches(contact))
 		follow(row, contact);
 	else {
