@@ -7,10 +7,7 @@
 
 namespace superquadric {
 
-// Of the level surface of the gauge through the point where `gauge` was taken [1/m].
-double meanCurvature(const GaugeValue& gauge);
-
-// The same from the derivatives in half sizes: half the trace of the Hessian across the
+// Of the level surface of the gauge through the point where `jet` was taken [1/m]: half the trace of the Hessian across the
 // normal over the slope.
 inline double meanCurvature(const GaugeJet& jet, const Vector3& inverseHalfSizes)
 {

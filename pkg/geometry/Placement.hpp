@@ -44,8 +44,6 @@ struct Placement {
 
 	// The same quantities as Shape's, for a world vector from the body's centre.
 	double gauge(const Vector3& fromCentre) const { return shape.gauge(toBody(fromCentre)); }
-	GaugeValue gaugeWithHessian(const Vector3& fromCentre) const;
-	GaugeValue gaugeWithGradient(const Vector3& fromCentre) const;
 	double support(const Vector3& direction) const { return shape.support(toBody(direction)); }
 	Vector3 supportPoint(const Vector3& direction) const { return toWorld(shape.supportPoint(toBody(direction))); }
 };

@@ -19,8 +19,6 @@ struct SurfacePoint {
 SurfacePoint surfaceAlong(const Placement& body, const BodyPoint& from, const Vector3& direction, double start);
 // Where to start.
 double firstGuess(const Placement& body, const BodyPoint& from, const Vector3& direction);
-// The same from a world vector from the centre; the distance alone.
-double distanceToSurface(const Placement& body, const Vector3& fromCentre, const Vector3& direction);
 
 // Newton on gauge = 1. The gauge is convex along the ray: after the first step the iterates
 // come down from outside without passing the root. They converge quadratically, so a step below the square root of
@@ -50,12 +48,6 @@ inline double firstGuess(const Placement& body, const BodyPoint& from, const Vec
 	const double root = slope * slope + 2 * missing * from.jet.form(along);
 	// At the centre the gauge has a corner and no slope; any point outside serves as the start.
 	return slope > 0 && root > 0 ? 2 * missing / (slope + std::sqrt(root)) : 2 * body.shape.boundingRadius();
-}
-
-inline double distanceToSurface(const Placement& body, const Vector3& fromCentre, const Vector3& direction)
-{
-	const BodyPoint from = body.at(fromCentre);
-	return surfaceAlong(body, from, direction, firstGuess(body, from, direction)).distance;
 }
 
 } // namespace superquadric
