@@ -54,6 +54,16 @@ def wholeNumber(name, value, least):
     return int(number)
 
 
+def boolean(name, value):
+    """`value` as bool: True or False, or (from a command line) one of these words; else ValueError."""
+    words = {'true': True, 'false': False}
+    if isinstance(value, bool):
+        return value
+    if isinstance(value, str) and value.lower() in words:
+        return words[value.lower()]
+    raise ValueError(f'{name} = {value!r}: must be true or false')
+
+
 def oneOf(name, value, choices):
     """`value` if it is among `choices`."""
     if value not in choices:

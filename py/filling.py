@@ -8,9 +8,9 @@ from yade.wrapper import Sphere, Superquadric
 
 from . import checks, container as containers
 
-GAP = 0.08             # clear distance between the particles' bounding spheres at the start, over their diameter
+GAP = 0.08             # of rainFilling, by default
 SOLID_FRACTION = 0.67  # of poured beds of a few layers (sphere 0.65, cylinder and cube 0.67): for the number only
-SIDEWAYS = 2.0         # largest horizontal speed of the rain, over its downward speed; see rainFilling
+SIDEWAYS = 2.0         # the same
 DENSEST = 0.9          # no poured bed comes near it; a container asked to hold more is overfull without doubt
 
 
@@ -41,7 +41,7 @@ def checkCapacity(shapes, container, solidFraction=SOLID_FRACTION):
                          f'{solidFraction:g} they need {needed:.4g} m3, it holds {available:.4g} m3')
 
 
-def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLID_FRACTION):
+def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLID_FRACTION, gap=GAP, sideways=SIDEWAYS):
     """Put one body per entry of `shapes` into the container, without overlap, moving down and at random sideways.
 
     The centres lie in horizontal layers on triangular grids, each turned and shifted at random, and every centre is
@@ -53,9 +53,11 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
     :param container: `Container`
     :param material: the particles' material
     :param seed: the same seed gives the same bodies, bit for bit
-    :param speed: initial downward speed [m/s]. Sideways it is up to SIDEWAYS times as much: rain that falls straight
-        makes a heap, as the bounding spheres keep it farther from the wall than the settled particles are.
+    :param speed: initial downward speed [m/s]
     :param solidFraction: of the settled bed, for the check that it fits
+    :param gap: clear distance between the particles' bounding spheres at the start, over their diameter
+    :param sideways: largest horizontal speed over the downward one. Rain that falls straight makes a heap, as the bounding
+        spheres keep it farther from the wall than the settled particles are.
     :returns: (ids of the particles, the container with its present height)
     :raises ValueError: before any body is added
     """
@@ -64,12 +66,13 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=SOLI
     if not shapes:
         raise ValueError('shapes = []: at least one particle is needed')
     seed, speed = checks.wholeNumber('seed', seed, 0), checks.notNegative('speed', speed)
+    gap, sideways = checks.notNegative('gap', gap), checks.notNegative('sideways', sideways)
     checkCapacity(shapes, container, checks.above('solidFraction', solidFraction, 0, DENSEST))
     rng = random.Random(seed)
     radius = max(shape.boundingRadius for shape in set(shapes))
     containers.checkFits(container, radius)
-    centers = _centers(len(shapes), radius, container, rng)
-    bodies = [_falling(shape, center, material, speed, rng) for shape, center in zip(shapes, centers)]
+    centers = _centers(len(shapes), radius, gap, container, rng)
+    bodies = [_falling(shape, center, material, speed, sideways, rng) for shape, center in zip(shapes, centers)]
     top = max(center[2] for center in centers) + radius
     return O.bodies.append(bodies), containers.setHeight(container, max(container.height, top))
 
@@ -81,17 +84,17 @@ def _checkEmpty(container):
             raise ValueError(f'container: body {body.id} is in it already; fill it with all particles at once')
 
 
-def _falling(shape, center, material, speed, rng):
+def _falling(shape, center, material, speed, sideways, rng):
     shade = 0.55 + 0.25 * rng.random()
     body = shape.body(Vector3(*center), randomOrientation(rng), material, color=(shade, 0.8 * shade, 0.5 * shade))
-    heading, sideways = 2 * math.pi * rng.random(), SIDEWAYS * speed * math.sqrt(rng.random())
-    body.state.vel = Vector3(sideways * math.cos(heading), sideways * math.sin(heading), -speed)
+    heading, drift = 2 * math.pi * rng.random(), sideways * speed * math.sqrt(rng.random())
+    body.state.vel = Vector3(drift * math.cos(heading), drift * math.sin(heading), -speed)
     return body
 
 
-def _centers(number, radius, container, rng):
+def _centers(number, radius, gap, container, rng):
     """`number` points [m] above the base, farther than 2 `radius` from each other and `radius` from the walls."""
-    jitter = min(GAP * radius, _halfWidth(container) - radius)
+    jitter = min(gap * radius, _halfWidth(container) - radius)
     spacing, margin = 2 * (radius + jitter), radius + jitter
     centers, z = [], margin
     while len(centers) < number:

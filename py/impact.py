@@ -170,12 +170,13 @@ def recordImpact(stepper, recorder, staticForce, maxTime):
             return False
 
 
-def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81):
+def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81, baseYoung=None):
     """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
 
     :param diameter: of the impactor [m]; :param density: its own [kg/m3]
     :param material: `CurvatureMat` of base and impactor
     :param speed: [m/s] that it has `dropHeight` above the base; :param dropHeight: [m]; :param gravity: downward [m/s2]
+    :param baseYoung: Young's modulus of the base [Pa], instead of the material's
     :returns: `BareImpact`
     :raises ValueError: it would not get off the base, or have no speed there
     """
@@ -187,7 +188,8 @@ def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81):
         O.resetThisScene()
         own = CurvatureMat(**parameters)
         O.materials.append(own)
-        base = O.bodies.append(utils.wall(0.0, 2, sense=1, material=own))
+        ground = own if baseYoung is None else CurvatureMat(**{**parameters, 'young': checks.positive('baseYoung', baseYoung)})
+        base = O.bodies.append(utils.wall(0.0, 2, sense=1, material=ground))
         impactor = addImpactor(diameter, density, own, speed, dropHeight, 0.0, (), gravity)
         O.engines = superquadricEngines(gravity=(0, 0, -gravity))
         O.dt = 0.005 * criticalTimeStep()  # its contact lasts about 200 such steps

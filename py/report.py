@@ -1,9 +1,10 @@
 """The results of a finished run: summary, time series, pictures."""
 from yade import O
 
-from . import plots, results, study
+from . import plots, results
 from .impact import Pulse, surfaceSpeed
 from .engines import criticalTimeStep
+from .parameters import shapeOf
 from .snapshot import Snapshot
 
 RECORD, SUMMARY, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
@@ -23,12 +24,12 @@ def write(run):
 def summary(run):
     """All that is known of the finished `run`, as a dict for JSON. SI units."""
     p, state, bare = run.parameters, run.state, run.state['bare']['pulse']
-    shape = study.shapeOf(p)
+    shape = shapeOf(p)
     return {
         'parameters': p,
         'particle': {'number': len(run.ids), 'extents': list(shape.extents), 'n1': shape.n1, 'n2': shape.n2,
                      'yadeSphere': shape.asSphere, 'volume': shape.volume, 'mass': shape.volume * p['density']},
-        'bed': {**state['bed'], 'staticForce': state['staticForce'],
+        'bed': {**state['bed'], 'pours': state['pours'], 'staticForce': state['staticForce'],
                 'staticWallForce': state['staticWallForce'],
                 'weight': sum(O.bodies[i].state.mass for i in run.ids) * p['gravity'], 'atRest': state['settled']},
         'impactor': {'mass': O.bodies[state['impactor']].state.mass,
@@ -67,6 +68,9 @@ def warnings(content):
         yield 'the bed was still moving when maxSettlingTime ended the pouring'
     if not rest['true']:
         yield 'the bed was not at rest before the impact'
+    target, thickness = content['parameters']['thickness'], content['bed']['thickness']
+    if content['parameters']['particles'] is None and abs(thickness / target - 1) > content['parameters']['thicknessTolerance']:
+        yield f'the bed is {1e3 * thickness:.2f} mm thick instead of {1e3 * target:.2f} mm, after {len(content["bed"]["pours"])} attempt(s)'
     if not content['impact']['over']:
         yield 'the impact was not over when maxImpactTime ended the record'
     if solver.get('uncertified'):
@@ -75,7 +79,7 @@ def warnings(content):
 
 def _describe(p):
     """The shape in words: its name, and exponents and aspect that are not the name's own."""
-    shape, own = study.shapeOf(p), study.shapeOf({**p, 'n1': None, 'n2': None})
+    shape, own = shapeOf(p), shapeOf({**p, 'n1': None, 'n2': None})
     special = [f'$n_1$ = {shape.n1:g}'] * (shape.n1 != own.n1) + [f'$n_2$ = {shape.n2:g}'] * (shape.n2 != own.n2)
     return ', '.join([p['shape'], *special, *[f'c/a = {p["aspect"]:g}'] * (p['aspect'] != 1)])
 

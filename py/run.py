@@ -1,36 +1,40 @@
-"""One impact study from its parameters to its results, in stages that can be interrupted and taken up again."""
+"""One bed and the impact on it, from parameters to results, in stages that can be interrupted and taken up again."""
 import math
 import os
-import random
+import shutil
 import sys
 import time
 from collections import Counter
 
 from yade import O
-from yade.wrapper import CurvatureMat
+from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import report, results, study
+from . import report, results
 from .bedgeometry import measureBed
-from .container import Container, cylinderContainer, setHeight
-from .engines import criticalTimeStep, solverCounters, superquadricEngines
-from .filling import rainFilling
+from .container import Container, setHeight
+from .engines import engine, solverCounters
 from .impact import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
-from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, settle, stiffen
+from .parameters import bedPart, checked, criticalImpactStep, materialOf, particleCount
+from .pouring import rain
+from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, setYoung, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
 SCENE, STATE = 'checkpoint.yade.gz', 'checkpoint.json'
 REST_STEPS = 10000  # time steps at most for the bed to come to rest with its true stiffness
+BED_SCENE, BED = 'bed.yade.gz', 'bed.json'  # a bed at rest, for any number of impacts
+MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
+SWELLING = 0.8      # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
 
 
 class ImpactRun:
-    """A run in the folder `output`. Make it with `begin` or `resume`, then `run()`; `summary` holds the results.
+    """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
     :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
     """
 
-    STAGES = ('pour', 'stiffen', 'rest', 'static', 'impact', 'report')
+    STAGES = ('pour', 'stiffen', 'rest', 'measure', 'prepare', 'static', 'impact', 'report')
 
     def __init__(self, output, state, stream=sys.stderr):
         self.output, self.state, self.stream = output, state, stream
@@ -39,19 +43,50 @@ class ImpactRun:
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
-        """Check `parameters` (a dict, see `study.PARAMETERS`), then build the scene; YADE's present scene is dropped, and so are
+        """Check `parameters` (a dict, see `parameters.PARAMETERS`), then build the scene; YADE's present scene is dropped, and so are
         the results of an earlier run in the folder.
 
         :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
-        parameters = study.checked(parameters)
-        if any(os.path.exists(os.path.join(output, name)) for name in (SCENE, STATE)):
+        parameters = checked(parameters)
+        run = cls._inFolder(output, {'parameters': parameters, 'seconds': 0.0, 'solver': {}, 'pours': []}, stream)
+        run._build(particleCount(parameters))
+        return run
+
+    @classmethod
+    def onBed(cls, bed, parameters, output, stream=sys.stderr):
+        """Take a finished bed (the folder `bed`, see `run`) instead of pouring one; otherwise like `begin`.
+
+        :param parameters: where they belong to the bed, they must be its own
+        :raises ValueError: there is no bed, or another one
+        """
+        statePath = os.path.join(bed, BED)
+        if not os.path.exists(statePath):
+            raise ValueError(f'bed = {bed!r}: there is no finished bed in that folder ({BED})')
+        state = results.readJson(statePath)
+        parameters = checked({**state['parameters'], **parameters})
+        wanted, own = bedPart(parameters), bedPart(state['parameters'])
+        for name, value in wanted.items():
+            if value != own[name]:
+                raise ValueError(f'{name} = {value!r}: the bed in {bed!r} was poured with {own[name]!r}')
+        run = cls._inFolder(output, {**state, 'parameters': parameters, 'seconds': 0.0}, stream)
+        shutil.copyfile(os.path.join(bed, report.BEFORE), run.path(report.BEFORE))
+        O.load(os.path.join(bed, BED_SCENE))
+        return run
+
+    @classmethod
+    def _inFolder(cls, output, state, stream):
+        if cls.isInterrupted(output):
             raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
         os.makedirs(output, exist_ok=True)
-        run = cls(output, {'parameters': parameters, 'stage': 'pour', 'seconds': 0.0, 'solver': {}}, stream)
-        run._remove(report.FILES)
-        run._build()
+        run = cls(output, state, stream)
+        run._remove((*report.FILES, BED, BED_SCENE))
         return run
+
+    @staticmethod
+    def isInterrupted(output):
+        """Whether the folder holds an interrupted run."""
+        return any(os.path.exists(os.path.join(output, name)) for name in (SCENE, STATE))
 
     @classmethod
     def resume(cls, output, stream=sys.stderr):
@@ -78,7 +113,8 @@ class ImpactRun:
     def run(self, until='done'):
         """Do all stages that are left, write the results, return the summary.
 
-        :param until: a later one of `STAGES`: stop before it, leave a checkpoint for `resume`, return None
+        :param until: a later one of `STAGES`: stop before it, leave a checkpoint for `resume`, return None. Before `prepare` the bed is
+            finished, and is left for `onBed` instead
         :raises Interrupted: after Ctrl-C, with checkpoint and data so far written
         :raises ValueError: the impactor cannot start where it should, or no blow reached the base; written as well
         """
@@ -91,9 +127,19 @@ class ImpactRun:
             except (Interrupted, ValueError):
                 self.save()
                 raise
-            if until != 'done':
+            if until == 'prepare':
+                self.saveBed()
+            elif until != 'done':
                 self.save()
         return self.summary
+
+    def saveBed(self):
+        """Write the bed at rest (stage `prepare`) for `onBed`; the run is done then."""
+        self._count()
+        O.save(self.path(BED_SCENE))
+        self.state['bed']['wallSeconds'] = self.state['seconds']
+        results.writeJson(self.path(BED), self.state)
+        self._remove((SCENE, STATE))
 
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
@@ -109,45 +155,52 @@ class ImpactRun:
         soft = self.parameters['softening'] > 1
         done = self.STAGES[:self.STAGES.index(self.state['stage'])]
         steps = {'pour': max(self.state['pourTime'] - O.time, 0) / O.dt if 'pour' not in done else 0,
-                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'static': STATIC_STEPS,
+                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'measure': 0, 'prepare': 0, 'static': STATIC_STEPS,
                  'impact': 0.012 / self._timeStep(), 'report': 0}
         return {stage: count for stage, count in steps.items() if stage not in done}
 
     def _timeStep(self):
         if self.parameters['dt'] is not None:
             return self.parameters['dt']
-        return self.parameters['timeStepFraction'] * study.criticalTimeStep(self.parameters)
+        return self.parameters['timeStepFraction'] * criticalImpactStep(self.parameters)
 
-    def _build(self):
-        p, shape = self.parameters, study.shapeOf(self.parameters)
-        O.reset()
-        bare = bareImpact(p['impactorDiameter'], p['impactorDensity'], CurvatureMat(**study.materialOf(p)), p['speed'],
-                          p['dropHeight'], p['gravity'])
-        self.state['bare'] = {'pulse': bare.pulse._asdict(), 'times': bare.times, 'forces': bare.forces}
-        material = CurvatureMat(**{**study.materialOf(p), 'young': p['young'] / p['softening']}, label='particles')
-        O.materials.append(material)
-        rng = random.Random(f'sizes {p["seed"]}')  # another sequence than the one that places the particles
-        shapes = [shape.scaled(1 + p['radiusSpread'] * (2 * rng.random() - 1)) if p['radiusSpread'] else shape
-                  for _ in range(study.particleCount(p))]
-        container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
-        ids, container = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'])
-        # Sorted contacts: a run that was interrupted and resumed then equals one that never stopped.
-        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
-        O.dt = p['timeStepFraction'] * criticalTimeStep()
+    def _build(self, count):
+        """The scene with `count` particles on their way down."""
+        p = self.parameters
+        ids, container = rain(p, count)
         top = max(O.bodies[i].state.pos[2] for i in ids)
-        self.state.update(container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,
+        self.state.update(stage='pour', container=container._asdict(), particles=[ids[0], ids[-1]], rampStage=0,
                           pourTime=math.sqrt(2 * top / p['gravity']) + 0.3, settled={}, settling={}, staticForces=[])
 
     def _criterion(self, quiet=QUIET, support=SUPPORT):
         return RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds), quiet, support, self.state['settling'])
 
     def _pour(self):
-        criterion = self._criterion()
+        criterion = self._criterion(self.parameters['restEnergy'])
         self.state['settled']['soft'] = settle(self.stepper, criterion, self.parameters['maxSettlingTime'])
         self.state['settling'] = {}
         self._say(f'poured {len(self.ids)} particles: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, '
                   f'support {criterion.supportedWeight():.3f} of the weight, t = {O.time:.3f} s')
-        self.state['stage'] = 'stiffen' if self.parameters['softening'] > 1 else 'rest'
+        count = self._betterCount()
+        if count is None:
+            self.state['stage'] = 'stiffen' if self.parameters['softening'] > 1 else 'rest'
+        else:
+            self._count()
+            self._build(count)
+            self.stepper.plan['pour'] = self._plan()['pour']
+
+    def _betterCount(self):
+        """How many particles to pour instead, None if the thickness is the one aimed at or cannot be told to be better."""
+        p, pours, count = self.parameters, self.state['pours'], len(self.ids)
+        thickness = measureBed(Snapshot.ofBodies(self.ids), self.container)['thickness']
+        pours.append({'number': count, 'thickness': thickness})
+        if p['particles'] is not None or abs(thickness / p['thickness'] - 1) <= SWELLING * p['thicknessTolerance']:
+            return None
+        better = max(1, round(count * p['thickness'] / thickness))
+        if len(pours) == MOST_POURS or better in [pour['number'] for pour in pours]:
+            return None
+        self._say(f'thickness {1e3 * thickness:.2f} mm instead of {1e3 * p["thickness"]:.2f} mm: {better} particles are poured instead')
+        return better
 
     def _stiffen(self):
         stiffen(self.stepper, self.parameters['softening'], self.parameters['timeStepFraction'],
@@ -160,6 +213,27 @@ class ImpactRun:
         self.state['settling'] = {}
         self._say(f'at rest: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, support '
                   f'{criterion.supportedWeight():.4f} of the weight')
+        self.state['stage'] = 'measure'
+
+    def _measure(self):
+        container = setHeight(self.container, self.parameters['containerHeight'])
+        before = Snapshot.ofBodies(self.ids)
+        before.save(self.path(report.BEFORE))
+        self.state.update(bed=measureBed(before, container), container=container._asdict(), stage='prepare')
+
+    def _prepare(self):
+        """The bed gets what is special in this impact."""
+        p = self.parameters
+        if 'bare' not in self.state:
+            bare = bareImpact(p['impactorDiameter'], p['impactorDensity'], CurvatureMat(**materialOf(p)), p['speed'],
+                              p['dropHeight'], p['gravity'], p['baseYoung'])
+            self.state['bare'] = {'pulse': bare.pulse._asdict(), 'times': bare.times, 'forces': bare.forces}
+            engine(InteractionLoop).lawDispatcher.functors[0].updateAttrs({name: p[name] for name in ('overlapLimit', 'leverArms')})
+            if p['baseYoung'] is not None:
+                setYoung(O.bodies[self.container.baseId], p['baseYoung'])
+        if p['baseYoung'] is not None:
+            self.state['settled']['true'] = settle(self.stepper, self._criterion(TRUE_QUIET, TRUE_SUPPORT), REST_STEPS * O.dt)
+            self.state['settling'] = {}
         self.state['stage'] = 'static'
 
     def _static(self):
@@ -167,14 +241,10 @@ class ImpactRun:
         O.dt = self._timeStep()
         self.stepper.run(STATIC_STEPS, lambda: samples.append([supportForce(ids) for ids in supports]))
         self.state['staticForce'], self.state['staticWallForce'] = (sum(forces) / len(forces) for forces in zip(*samples))
-        container = setHeight(self.container, self.parameters['containerHeight'])
-        before = Snapshot.ofBodies(self.ids)
-        self.state['bed'] = measureBed(before, container)
-        before.save(self.path(report.BEFORE))
-        self._addImpactor(container)
-        self.state.update(container=container._asdict(), stage='impact', startTime=O.time)
+        self._addImpactor()
+        self.state.update(stage='impact', startTime=O.time)
 
-    def _addImpactor(self, container):
+    def _addImpactor(self):
         p = self.parameters
         impactor = addImpactor(p['impactorDiameter'], p['impactorDensity'], O.materials['particles'], p['speed'],
                                p['dropHeight'], self.state['bed']['thickness'], self.ids, p['gravity'])

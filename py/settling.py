@@ -119,6 +119,23 @@ def scaleStiffness(factor):
                               'shearDisplacement': shrink * phys.shearDisplacement})
 
 
+def setYoung(body, young):
+    """Give the `body` a Young's modulus [Pa] of its own, also in the contacts that it has; its other bodies keep theirs.
+
+    The contacts keep the friction that they carry, as in `scaleStiffness`.
+    """
+    own = CurvatureMat(**{**body.mat.dict(), 'id': -1, 'label': '', 'young': checks.positive('young', young)})
+    O.materials.append(own)
+    body.mat = own
+    for interaction in body.intrs():
+        if not isinstance(interaction.phys, CurvaturePhys):
+            continue
+        pair = [O.bodies[i].mat for i in (interaction.id1, interaction.id2)]
+        modulus = 1 / sum((1 - material.poisson ** 2) / material.young for material in pair)
+        shrink = (modulus / interaction.phys.effectiveModulus) ** (-2 / 3)
+        interaction.phys.updateAttrs({'effectiveModulus': modulus, 'shearDisplacement': shrink * interaction.phys.shearDisplacement})
+
+
 def rampSteps(softening):
     """Time steps of each stage of `stiffen`.
 

@@ -11,7 +11,7 @@ import shutil
 import sys
 
 from yade import O
-from yade.superquadric import ImpactRun, study
+from yade.superquadric import ImpactRun
 from yade.superquadric.engines import engine
 from yade.wrapper import InteractionLoop
 

@@ -11,7 +11,8 @@ import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun, report, study
+from yade.superquadric import Interrupted, ImpactRun, report, results
+from yade.superquadric.parameters import PARAMETERS, defaults
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
@@ -24,8 +25,12 @@ def parser():
                         'results/ and the batch table\'s description)')
     result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; '
                         'parameters are those it was started with')
+    result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
+    result.add_argument('--bed', metavar='FOLDER', help='take the finished bed in that folder instead of pouring one')
+    result.add_argument('--bedOnly', action='store_true', help='stop when the bed is at rest, and leave it in the output folder for --bed')
+    result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
     result.add_argument('--quiet', action='store_true', help='no progress')
-    for parameter in study.PARAMETERS:
+    for parameter in PARAMETERS:
         unit = f' [{parameter.unit}]' if parameter.unit else ''
         default = '' if parameter.default is None else f' (default: {parameter.default})'
         # Values stay text here: the study's own checks turn them into numbers and name what is wrong.
@@ -40,32 +45,53 @@ def fromTable():
         return {}, 'impact'
     rows = utils.TableParamReader(os.environ['YADE_BATCH'].rsplit(':', 1)[0]).paramDict()
     columns = {name for row in rows.values() for name in row if name != 'description' and not name.startswith('!')}
-    utils.readParamsFromTable(unknownOk=True, **study.defaults())
+    utils.readParamsFromTable(unknownOk=True, **defaults())
     from yade.params import table
     return {name: getattr(table, name) for name in columns}, O.tags['description']
 
 
+def fromFile(path):
+    """Parameters from a JSON file."""
+    content = results.readJson(path) if path else {}
+    if not isinstance(content, dict):
+        raise ValueError(f'parameters = {path!r}: must hold one object {{name: value}}')
+    return content
+
+
+def start(options, values):
+    """The run, begun, or taken up where it was interrupted, and its folder."""
+    table, description = fromTable()
+    output = options.output or os.path.join('results', description)
+    stream = None if options.quiet else sys.stderr
+    if options.resume or (options.takeUp and ImpactRun.isInterrupted(output)):
+        return ImpactRun.resume(output, stream), output
+    parameters = {**fromFile(options.parameters), **table, **values}
+    if options.bed:
+        return ImpactRun.onBed(options.bed, parameters, output, stream), output
+    return ImpactRun.begin(parameters, output, stream), output
+
+
 def main():
-    options = vars(parser().parse_args(sys.argv[1:]))
-    output, resume, quiet = (options.pop(name) for name in ('output', 'resume', 'quiet'))
-    stream = None if quiet else sys.stderr
+    options = parser().parse_args(sys.argv[1:])
+    names = {parameter.name for parameter in PARAMETERS}
     try:
-        parameters, description = fromTable()
-        parameters.update(options)
-        output = output or os.path.join('results', description)
-        run = ImpactRun.resume(output, stream) if resume else ImpactRun.begin(parameters, output, stream)
-    except ValueError as error:
+        run, output = start(options, {name: value for name, value in vars(options).items() if name in names})
+    except (OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)
         return BAD_INPUT
     try:
-        print(report.text(run.run()))
+        summary = run.run(until='prepare' if options.bedOnly else 'done')
     except Interrupted:
         print(f'Stopped. Data and checkpoint are in {output}; go on with:\n'
-              f'  yade -n -x {sys.argv[0]} --output {output} --resume', file=sys.stderr)
+              f'  yade -n -x {sys.argv[0]} --output {output} --resume{" --bedOnly" if options.bedOnly else ""}', file=sys.stderr)
         return INTERRUPTED
     except ValueError as error:
         print(f'impact.py: {error}\nData and checkpoint are in {output}.', file=sys.stderr)
         return BAD_INPUT
+    if options.bedOnly:
+        print(f'bed        {output}, for --bed')
+        return 0
+    print(report.text(summary))
     print(f'results    {output}/summary.json, force.csv, force.png, bed.png')
     return 0
 

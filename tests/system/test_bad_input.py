@@ -10,7 +10,7 @@ from yade.minieigenHP import Quaternion
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
-from yade.superquadric import study
+from yade.superquadric.parameters import checked, criticalImpactStep
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 NAN, INF = float('nan'), float('inf')
@@ -126,7 +126,7 @@ def test_dropThatEndsWithinTheParticles(material):
     """An impactor that has never been above them."""
     for speed, height in ((0.15, 0.0), (0.0, 0.02)):
         with pytest.raises(ValueError, match=f'dropHeight = {height}: too low; with speed = {speed} m/s'):
-            study.checked({'speed': speed, 'dropHeight': height})
+            checked({'speed': speed, 'dropHeight': height})
     ids = [O.bodies.append(sq.superquadric((0, 0, 0.1), (5e-3,) * 3, 2, 2, material))]
     before = len(O.materials)
     with pytest.raises(ValueError, match=r'dropHeight = 0.05: too low; with speed = 1.0 m/s .* 0.1055 m above'):
@@ -146,10 +146,10 @@ def test_timeStepAboveTheCriticalOneOfTheImpactor():
     """A small impactor of low density has a shorter critical step than the particles."""
     values = {'impactorDiameter': 2e-3, 'impactorDensity': 1000}
     critical = math.pi * 1e-3 / (0.163 * 0.2 + 0.8766) * math.sqrt(1000 / (1e9 / 2.4))
-    assert study.criticalTimeStep(study.checked(values)) == pytest.approx(critical, rel=1e-12)
+    assert criticalImpactStep(checked(values)) == pytest.approx(critical, rel=1e-12)
     with pytest.raises(ValueError, match=r'dt = .*: above the critical'):
-        study.checked({**values, 'dt': 1.01 * critical})
-    assert study.checked({'dt': 1.01 * critical})['dt'] == 1.01 * critical
+        checked({**values, 'dt': 1.01 * critical})
+    assert checked({'dt': 1.01 * critical})['dt'] == 1.01 * critical
 
 
 def test_bedWithoutParticlesAndVoxelsWithoutNumber(material):
@@ -172,7 +172,7 @@ def test_containerThatIsNotEmpty(material):
 
 def test_unknownParameter():
     with pytest.raises(ValueError, match='thikness = 0.1'):
-        study.checked({'thikness': 0.1})
+        checked({'thikness': 0.1})
 
 
 def runScript(*arguments):

@@ -11,11 +11,12 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import report, results, study
+from yade.superquadric import report, results
+from yade.superquadric.parameters import checked
 from yade.superquadric.impact import supportForce, surfaceSpeed
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03}
+SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 SMALL_OPTIONS = [text for name, value in SMALL.items() for text in ('--' + name, str(value))]
 FILES = ['after.npz', 'bed.png', 'before.npz', 'force.csv', 'force.png', 'summary.json']
 
@@ -70,7 +71,7 @@ def test_baseAndWallCarryTheWeight():
 def test_summaryFollowsFromTheRecord(small):
     output, summary = small
     assert results.readJson(str(output / 'summary.json')) == summary
-    assert summary['parameters'] == study.checked(SMALL)
+    assert summary['parameters'] == checked(SMALL)
     force = [f - summary['bed']['staticForce'] for f in record(output)['baseForce']]
     assert summary['impact']['peak'] == max(force)
     assert summary['bufferingRatio'] == pytest.approx(1 - max(force) / summary['P0'])
@@ -139,7 +140,7 @@ def test_batchTable(tmp_path):
                           text=True, timeout=100)
     assert done.returncode == 0, done.stderr
     parameters = results.readJson(str(tmp_path / 'results' / 'high' / 'summary.json'))['parameters']
-    assert parameters == study.checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
+    assert parameters == checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
                                         'impactorDiameter': 0.02})
 
 

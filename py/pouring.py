@@ -1,0 +1,29 @@
+"""The scene of a bed that is about to be poured, from the parameters of a study."""
+import random
+
+from yade import O
+from yade.wrapper import CurvatureMat
+
+from .container import cylinderContainer
+from .engines import criticalTimeStep, superquadricEngines
+from .filling import rainFilling
+from .parameters import materialOf, shapeOf
+
+
+def rain(parameters, count):
+    """Drop YADE's present scene and make the container with `count` soft particles on their way down, engines and time step.
+
+    :param parameters: complete dict, see `parameters.checked`
+    :returns: (ids of the particles, `Container`), as from `rainFilling`
+    """
+    p, shape = parameters, shapeOf(parameters)
+    O.reset()
+    material = CurvatureMat(**{**materialOf(p), 'young': p['young'] / p['softening']}, label='particles')
+    O.materials.append(material)
+    rng = random.Random(f'sizes {p["seed"]}')  # another sequence than the one that places the particles
+    shapes = [shape.scaled(1 + p['radiusSpread'] * (2 * rng.random() - 1)) if p['radiusSpread'] else shape for _ in range(count)]
+    container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
+    filled = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'], p['rainGap'], p['rainSideways'])
+    O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
+    O.dt = p['timeStepFraction'] * criticalTimeStep()
+    return filled

@@ -1,0 +1,106 @@
+"""A bed is poured once and hit many times: what an impact may change about it, and the control of its thickness."""
+import os
+import shutil
+
+import pytest
+from yade import O
+from yade.wrapper import InteractionLoop
+
+import yade.superquadric as sq
+from yade.superquadric import report, results
+from yade.superquadric.engines import engine
+
+SMALL = {'containerDiameter': 0.07, 'thickness': 0.012, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
+
+
+@pytest.fixture(scope='module')
+def bed(tmp_path_factory):
+    output = tmp_path_factory.mktemp('bed')
+    sq.ImpactRun.begin(SMALL, str(output), stream=None).run(until='prepare')
+    return output
+
+
+def impact(bed, output, **parameters):
+    return sq.ImpactRun.onBed(str(bed), parameters, str(output), stream=None).run()
+
+
+def test_bedFolderHoldsTheBedOnly(bed):
+    assert sorted(os.listdir(bed)) == ['bed.json', 'bed.yade.gz', 'before.npz']
+    assert results.readJson(str(bed / 'bed.json'))['stage'] == 'prepare'
+
+
+def test_bedAndImpactEqualOneRun(bed, tmp_path):
+    """Bit for bit, on one thread."""
+    if O.numThreads != 1:
+        pytest.skip('the order of summation is only fixed on one thread')
+    whole = sq.ImpactRun.begin(SMALL, str(tmp_path / 'whole'), stream=None).run()
+    parts = impact(bed, tmp_path / 'parts')
+    assert (tmp_path / 'whole' / 'force.csv').read_bytes() == (tmp_path / 'parts' / 'force.csv').read_bytes()
+    assert sorted(os.listdir(tmp_path / 'whole')) == sorted(os.listdir(tmp_path / 'parts'))
+    assert whole['parameters'] == parts['parameters']
+    assert whole['solver']['solves'] == pytest.approx(parts['solver']['solves'], rel=0.01)  # a loaded scene has to look at all pairs anew
+    assert {**whole['bed'], 'wallSeconds': 0} == {**parts['bed'], 'wallSeconds': 0}
+
+
+def test_impactsOnOneBedDiffer(bed, tmp_path):
+    """A heavier impactor pushes harder on the same bed."""
+    light, heavy = (impact(bed, tmp_path / str(density), impactorDensity=density) for density in (1500, 6000))
+    assert heavy['impact']['impulse'] > 2 * light['impact']['impulse'] and heavy['P0'] > light['P0']
+    assert light['bed']['thickness'] == heavy['bed']['thickness']
+
+
+def test_theLawsBoundsReachTheLaw(bed, tmp_path):
+    peaks = [impact(bed, tmp_path / str(i), **change)['impact']['peak']
+             for i, change in enumerate(({}, {'overlapLimit': 0.3}, {'leverArms': False}))]
+    assert len(set(peaks)) == 3
+    law = engine(InteractionLoop).lawDispatcher.functors[0]
+    assert law.leverArms is False and law.overlapLimit == 0.1
+
+
+def test_aStifferBaseIsInTheContactsAndInP0(bed, tmp_path):
+    """Between two equal bodies E* is E/(2(1 - nu^2)), on a rigid one twice that: P0 then grows by 2^0.4 for undamped spheres."""
+    own, rigid = impact(bed, tmp_path / 'own'), impact(bed, tmp_path / 'rigid', baseYoung=1e15)
+    contacts = [i.phys for i in O.interactions.all(onlyReal=True) if i.id1 == 0]
+    assert contacts and all(phys.effectiveModulus == pytest.approx(1e9 / (1 - 0.2 ** 2), rel=1e-5) for phys in contacts)
+    assert rigid['P0'] / own['P0'] == pytest.approx(2 ** 0.4, rel=0.03)
+    assert rigid['bed']['atRest']['true']
+    assert rigid['bed']['staticForce'] + rigid['bed']['staticWallForce'] == pytest.approx(rigid['bed']['weight'], rel=1e-2)
+
+
+def test_anotherBedIsRefused(bed, tmp_path):
+    with pytest.raises(ValueError, match=r"friction = 0.3: the bed in .* was poured with 0.4"):
+        impact(bed, tmp_path, friction=0.3)
+    with pytest.raises(ValueError, match=r'bed = .*: there is no finished bed'):
+        impact(tmp_path, tmp_path / 'other')
+    with pytest.raises(ValueError, match=r'overlapLimit = 2'):
+        impact(bed, tmp_path, overlapLimit=2)
+    with pytest.raises(ValueError, match=r"leverArms = 'maybe': must be true or false"):
+        impact(bed, tmp_path, leverArms='maybe')
+    assert os.listdir(tmp_path) == []
+
+
+def test_interruptedImpactOnABedResumes(bed, tmp_path):
+    whole = impact(bed, tmp_path / 'whole', baseYoung=1e10)
+    sq.ImpactRun.onBed(str(bed), {'baseYoung': 1e10}, str(tmp_path / 'parts'), stream=None).run(until='impact')
+    assert sq.ImpactRun.isInterrupted(str(tmp_path / 'parts'))
+    parts = sq.ImpactRun.resume(str(tmp_path / 'parts'), stream=None).run()
+    assert parts['impact'] == whole['impact']
+
+
+def test_thicknessIsControlled(tmp_path):
+    """From a poor guess of the packing fraction, within the tolerance; the attempts are told."""
+    parameters = {**SMALL, 'thickness': 0.02, 'thicknessTolerance': 0.05, 'solidFraction': 0.45, 'shape': 'sphere'}
+    summary = sq.ImpactRun.begin(parameters, str(tmp_path), stream=None).run()
+    pours = summary['bed']['pours']
+    assert len(pours) > 1 and abs(pours[0]['thickness'] / 0.02 - 1) > 0.05
+    assert summary['bed']['thickness'] == pytest.approx(0.02, rel=0.05)
+    assert summary['particle']['number'] == pours[-1]['number']
+    assert 'WARNING' not in report.text(summary)
+
+
+def test_thicknessThatIsMissedIsTold(bed, tmp_path):
+    shutil.copytree(bed, tmp_path / 'bed')
+    state = results.readJson(str(tmp_path / 'bed' / 'bed.json'))
+    state['parameters']['thicknessTolerance'] = 1e-4
+    results.writeJson(str(tmp_path / 'bed' / 'bed.json'), state)
+    assert 'WARNING    the bed is' in report.text(impact(tmp_path / 'bed', tmp_path / 'impact'))
