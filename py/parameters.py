@@ -10,7 +10,7 @@ from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin
 from . import checks
 from .bodies import SHAPES, particleShape
 from .container import Container, checkCylinder
-from .filling import DENSEST, GAP, SIDEWAYS, SOLID_FRACTION, particleNumber
+from .filling import DEEP_FRACTION, DENSEST, GAP, SIDEWAYS, particleNumber
 from .impact import CALIBRATED_DENSITY, CLEARANCE, speedAt, surfaceSpeed
 from .settling import QUIET
 
@@ -65,7 +65,8 @@ PARAMETERS = (
     Parameter('thickness', 0.025, 'm', checks.positive, 'thickness H of the bed to aim at; the result is measured', BED),
     Parameter('particles', None, '', _optional(_count(1)), 'number of particles, instead of what thickness and '
               'solidFraction give', BED),
-    Parameter('solidFraction', SOLID_FRACTION, '', _between(0, DENSEST), 'expected packing fraction of the bed', BED),
+    Parameter('solidFraction', None, '', _optional(_between(0, DENSEST)), 'expected packing fraction of the bed, instead of an estimate from '
+              'its thickness', BED),
     Parameter('containerDiameter', 0.19, 'm', checks.positive, 'inner diameter of the rigid cylinder', BED),
     Parameter('containerHeight', 0.3, 'm', checks.positive, 'height of the rigid cylinder', BED),
     Parameter('density', 2500.0, 'kg/m3', checks.positive, 'density of the particles', BED),
@@ -155,7 +156,7 @@ def particleCount(parameters):
 
 def _checkCapacity(parameters, shape):
     count = particleCount(parameters)
-    bed = count * shape.volume / parameters['solidFraction'] / (math.pi / 4 * parameters['containerDiameter'] ** 2)
+    bed = count * shape.volume / (parameters['solidFraction'] or DEEP_FRACTION) / (math.pi / 4 * parameters['containerDiameter'] ** 2)
     if bed > parameters['containerHeight']:
         name = 'thickness' if parameters['particles'] is None else 'particles'
         raise ValueError(f'{name} = {parameters[name]!r}: overfull container; {count} particles make a bed of '

@@ -6,7 +6,7 @@ from yade.wrapper import CurvatureMat
 
 from .container import cylinderContainer
 from .engines import criticalTimeStep, superquadricEngines
-from .filling import rainFilling
+from .filling import DEEP_FRACTION, rainFilling
 from .parameters import materialOf, shapeOf
 
 
@@ -23,7 +23,8 @@ def rain(parameters, count):
     rng = random.Random(f'sizes {p["seed"]}')  # another sequence than the one that places the particles
     shapes = [shape.scaled(1 + p['radiusSpread'] * (2 * rng.random() - 1)) if p['radiusSpread'] else shape for _ in range(count)]
     container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
-    filled = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'], p['rainGap'], p['rainSideways'])
+    filled = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'] or DEEP_FRACTION, p['rainGap'],
+                         p['rainSideways'])
     O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
     O.dt = p['timeStepFraction'] * criticalTimeStep()
     return filled

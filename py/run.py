@@ -155,8 +155,8 @@ class ImpactRun:
         soft = self.parameters['softening'] > 1
         done = self.STAGES[:self.STAGES.index(self.state['stage'])]
         steps = {'pour': max(self.state['pourTime'] - O.time, 0) / O.dt if 'pour' not in done else 0,
-                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'measure': 0, 'prepare': 0, 'static': STATIC_STEPS,
-                 'impact': 0.012 / self._timeStep(), 'report': 0}
+                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'measure': 0, 'prepare': 0,
+                 'static': STATIC_STEPS, 'impact': 0.012 / self._timeStep(), 'report': 0}
         return {stage: count for stage, count in steps.items() if stage not in done}
 
     def _timeStep(self):
