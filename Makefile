@@ -1,11 +1,13 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo test bench bench-quick build shell clean
+.PHONY: help demo study study-quick test bench bench-quick build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
 
 help:
 	@echo 'make demo    a bed of cubes cushions a blow: results and pictures in demo/'
+	@echo 'make study   the 44 beds of the paper, several of each, with confidence intervals: results/study (hours; goes on where it was stopped)'
+	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (20 minutes on 2 cores)'
 	@echo 'make test    all tests; the last line counts them'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
 	@echo 'make build   the plugin and the C++ tests, without running anything'
@@ -17,9 +19,17 @@ help:
 demo:
 	@tools/env yade -n -x scripts/impact.py $(demoArguments) $(if $(wildcard demo/checkpoint.json),--resume)
 
+# The paper's figures, then what depends on the choices that the paper leaves open. A study of your own: see docs/study.md.
+study:
+	@tools/env --with study python3 scripts/study.py scripts/study/paper.yaml --output results/study
+	@tools/env --with study python3 scripts/study.py scripts/study/sensitivity.yaml --output results/sensitivity
+
+study-quick:
+	@tools/env --with study python3 scripts/study.py scripts/study/quick.yaml --output results/study-quick
+
 test:
-	@tools/env --target all true || { echo '0 passed, 1 failed'; exit 1; }
-	@tools/env tests/run
+	@tools/env --with study --target all true || { echo '0 passed, 1 failed'; exit 1; }
+	@tools/env --with study tests/run
 
 bench:
 	@tools/env --with bench --target kernel_bench tests/bench/run

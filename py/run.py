@@ -21,7 +21,7 @@ from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
 SCENE, STATE = 'checkpoint.yade.gz', 'checkpoint.json'
-REST_STEPS = 10000  # time steps at most for the bed to come to rest with its true stiffness
+REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 BED_SCENE, BED = 'bed.yade.gz', 'bed.json'  # a bed at rest, for any number of impacts
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
 SWELLING = 0.8      # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
@@ -155,7 +155,7 @@ class ImpactRun:
         soft = self.parameters['softening'] > 1
         done = self.STAGES[:self.STAGES.index(self.state['stage'])]
         steps = {'pour': max(self.state['pourTime'] - O.time, 0) / O.dt if 'pour' not in done else 0,
-                 'stiffen': sum(rampSteps(self.parameters['softening'])) if soft else 0, 'rest': 900, 'measure': 0, 'prepare': 0,
+                 'stiffen': sum(rampSteps(self.parameters['softening'], self._layers())) if soft else 0, 'rest': 900, 'measure': 0, 'prepare': 0,
                  'static': STATIC_STEPS, 'impact': 0.012 / self._timeStep(), 'report': 0}
         return {stage: count for stage, count in steps.items() if stage not in done}
 
@@ -163,6 +163,11 @@ class ImpactRun:
         if self.parameters['dt'] is not None:
             return self.parameters['dt']
         return self.parameters['timeStepFraction'] * criticalImpactStep(self.parameters)
+
+    def _layers(self):
+        """Number of layers of the bed: its thickness, as far as it is known yet, over the particles' diameter."""
+        thickness = self.state['pours'][-1]['thickness'] if self.state['pours'] else self.parameters['thickness']
+        return max(thickness / (2 * self.parameters['radius']), 1.0)
 
     def _build(self, count):
         """The scene with `count` particles on their way down."""
@@ -203,13 +208,13 @@ class ImpactRun:
         return better
 
     def _stiffen(self):
-        stiffen(self.stepper, self.parameters['softening'], self.parameters['timeStepFraction'],
-                self.state['rampStage'], lambda done: self.state.update(rampStage=done))
+        stiffen(self.stepper, self.parameters['softening'], self.parameters['timeStepFraction'], self._layers(), self.state['rampStage'],
+                lambda done: self.state.update(rampStage=done))
         self.state['stage'] = 'rest'
 
     def _rest(self):
         criterion = self._criterion(TRUE_QUIET, TRUE_SUPPORT)
-        self.state['settled']['true'] = settle(self.stepper, criterion, REST_STEPS * O.dt)
+        self.state['settled']['true'] = settle(self.stepper, criterion, REST_STEPS * self._layers() * O.dt)
         self.state['settling'] = {}
         self._say(f'at rest: kinetic energy {criterion.kineticEnergy():.1e} m g d per particle, support '
                   f'{criterion.supportedWeight():.4f} of the weight')
@@ -232,7 +237,7 @@ class ImpactRun:
             if p['baseYoung'] is not None:
                 setYoung(O.bodies[self.container.baseId], p['baseYoung'])
         if p['baseYoung'] is not None:
-            self.state['settled']['true'] = settle(self.stepper, self._criterion(TRUE_QUIET, TRUE_SUPPORT), REST_STEPS * O.dt)
+            self.state['settled']['true'] = settle(self.stepper, self._criterion(TRUE_QUIET, TRUE_SUPPORT), REST_STEPS * self._layers() * O.dt)
             self.state['settling'] = {}
         self.state['stage'] = 'static'
 

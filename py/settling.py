@@ -16,13 +16,15 @@ from .engines import criticalTimeStep, engine
 
 CHECK_STEPS = 150      # time steps between two looks at the criterion
 CHECKS_IN_A_ROW = 4    # the criterion must hold as often, so that a turning point of the motion does not count
+QUIET_SHARE = 0.99     # of the particles must be quiet: a grain that tips or rolls in its cage for long does not carry the bed
 QUIET = 5e-6           # at rest: kinetic energy per particle over m g d (d: diameter of the sphere of equal volume),
 SUPPORT = 5e-3         # and distance of the supports' vertical force from the weight, over the weight
 TRUE_QUIET = 2e-5      # the same with the true stiffness, where a step is a tenth as long; for 5 mm particles this is
 TRUE_SUPPORT = 1e-2    # a speed of 2 mm/s, or a hundredth of a millimetre during the impact
 CALM = 1e-4            # kinetic energy, as above, below which the packing is decided and damping may help
 RAMP_STAGES = 40       # steps of stiffness between soft and true
-RAMP_STEPS = 25        # time steps in the first of them; they grow with the cube root of the stiffness, see stiffen
+RAMP_STEPS = 25        # time steps in the first of them, at least; they grow with the cube root of the stiffness, see rampSteps
+LAYER_STEPS = 10       # the same for every layer of the bed: each swells, and the surface must not be thrown up by their sum
 RAMP_DAMPING = 0.5     # non-viscous damping during the ramp
 DAMPING = 0.3          # the same in a calm bed
 
@@ -30,8 +32,8 @@ DAMPING = 0.3          # the same in a calm bed
 class RestCriterion:
     """Whether the particles `ids` rest on the bodies `supports` (base and walls).
 
-    At rest: kinetic energy (rotation included) per particle below `quiet` m g d, and the vertical force on the supports
-    within `support` of the weight; as often in a row as CHECKS_IN_A_ROW says.
+    At rest: kinetic energy (rotation included) per particle below `quiet` m g d, the fastest percent (QUIET_SHARE) left out, and the
+    vertical force on the supports within `support` of the weight; as often in a row as CHECKS_IN_A_ROW says.
 
     :ivar memory: what settling has to know beside the scene when it is taken up again, a dict of plain values: how often in
         a row the criterion `held`, whether the bed was `calm`, when settling has to `end` [s]
@@ -47,8 +49,10 @@ class RestCriterion:
         self.memory = {} if memory is None else memory
 
     def kineticEnergy(self):
-        """Mean kinetic energy of a particle over m g d [-]."""
-        return sum(_kineticEnergy(O.bodies[i].state) for i in self.ids) / self.scale
+        """Mean kinetic energy of a particle over m g d [-], the fastest left out."""
+        quiet = math.ceil(QUIET_SHARE * len(self.ids))
+        energies = sorted(_kineticEnergy(O.bodies[i].state) for i in self.ids)[:quiet]
+        return sum(energies) / quiet * len(self.ids) / self.scale
 
     def supportedWeight(self):
         """Vertical force on the supports over the weight [-]."""
@@ -136,19 +140,21 @@ def setYoung(body, young):
         interaction.phys.updateAttrs({'effectiveModulus': modulus, 'shearDisplacement': shrink * interaction.phys.shearDisplacement})
 
 
-def rampSteps(softening):
-    """Time steps of each stage of `stiffen`.
+def rampSteps(softening, layers=1.0):
+    """Time steps of each stage of `stiffen`, for a bed of so many `layers`.
 
     Overlaps go with E^(-2/3), time steps with E^(-1/2): so many steps let the bed swell ever more slowly, as E^(-1/2).
     With a constant number it would keep its speed to the end, and hop.
     """
-    return [round(RAMP_STEPS * softening ** (stage / (3 * RAMP_STAGES))) for stage in range(RAMP_STAGES)]
+    first = max(RAMP_STEPS, LAYER_STEPS * checks.positive('layers', layers))
+    return [round(first * softening ** (stage / (3 * RAMP_STAGES))) for stage in range(RAMP_STAGES)]
 
 
-def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda stage: None):
+def stiffen(stepper, softening, timeStepFraction, layers=1.0, done=0, afterScaling=lambda stage: None):
     """Raise the stiffness by `softening` in RAMP_STAGES stages, the time step following.
 
     :param timeStepFraction: time step over the critical one (14)
+    :param layers: thickness of the bed over the particles' diameter
     :param done: stage in whose steps a run was stopped that is now taken up again; 0: none
     :param afterScaling: called with the number of the stage, before its steps are run
     """
@@ -156,7 +162,7 @@ def stiffen(stepper, softening, timeStepFraction, done=0, afterScaling=lambda st
     newton = engine(NewtonIntegrator)
     before, newton.damping = newton.damping, RAMP_DAMPING
     try:
-        for stage, steps in enumerate(rampSteps(softening), 1):
+        for stage, steps in enumerate(rampSteps(softening, layers), 1):
             if stage > done:
                 scaleStiffness(factor)
                 O.dt = timeStepFraction * criticalTimeStep()

@@ -1,0 +1,63 @@
+"""How a quantity is compared: by ratios where it is positive, and what is said of it."""
+import math
+
+import numpy
+
+from .quantities import QUANTITIES, inUnit, signed
+from .statistics import contrast
+
+
+class Measure:
+    """Compares samples of a quantity: its logarithms where all values are positive, for scatter goes with the size, else itself.
+
+    :param y: the quantity; :param samples: all samples of the finding (SI)
+    """
+
+    def __init__(self, y, samples):
+        self.y = y
+        values = numpy.concatenate([numpy.asarray(sample, dtype=float) for sample in samples]) if samples else numpy.empty(0)
+        self.log = bool(len(values) and values.min() > 0)
+        self.size = float(numpy.abs(values).mean()) if len(values) else math.nan
+        self.all = [self.of(sample) for sample in samples]
+
+    def of(self, sample):
+        """The values that are compared."""
+        return numpy.log(sample) if self.log else numpy.asarray(sample, dtype=float)
+
+    def contrast(self, samples, weights, pooled=False):
+        """`Contrast` of samples; with the scatter common to all of the finding if asked for, or if a sample is a single run."""
+        pooled = pooled or min(map(len, samples)) < 2
+        return contrast([self.of(sample) for sample in samples], weights, pool=self.all if pooled else None)
+
+    def margin(self, share):
+        """A relative margin on the scale that is compared."""
+        return math.log1p(share) if self.log else share * self.size
+
+    def change(self, value):
+        """A difference on the scale that is compared, for readers and without unit: in per cent, or in the quantity's unit."""
+        return f'{100 * math.expm1(value):+.1f}' if self.log else signed(QUANTITIES[self.y].factor * value)
+
+    def text(self, difference):
+        """A `Contrast` for readers, with its interval: '-12.3 % [-15.6, -8.9]'."""
+        size = f'{self.change(difference.estimate)} {"%" if self.log else QUANTITIES[self.y].unit}'.rstrip()
+        if not difference.error >= 0:
+            return f'{size} (single runs: no interval)'
+        return f'{size} [{self.change(difference.low)}, {self.change(difference.high)}]'
+
+    def numbers(self, difference):
+        """A `Contrast` for machines: ratio or difference (SI), its interval, two-sided p."""
+        back = math.exp if self.log else float
+        values = {'ratio' if self.log else 'difference': back(difference.estimate), 'low': back(difference.low),
+                  'high': back(difference.high), 'p': difference.twoSided()}
+        return {key: None if math.isnan(value) else value for key, value in values.items()}
+
+    def value(self, sample):
+        """Mean of a sample for readers."""
+        return inUnit(self.y, float(numpy.mean(sample)))
+
+
+def pText(p):
+    """'p = 0.012' for readers."""
+    if p is None or math.isnan(p):
+        return 'no p value'
+    return f'p = {p:.2g}' if p >= 1e-4 else 'p < 0.0001'

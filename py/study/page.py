@@ -1,0 +1,179 @@
+"""The page of a study: figures, a table of the points, findings with their verdicts. All of it comes from plan and table."""
+import math
+import os
+
+from .. import results
+from .figures import drawFigure
+from .findings import judge
+from .groupdata import GroupData
+from .quantities import QUANTITIES, axisLabel, isNumber, plain, xText
+from .statistics import meanInterval
+
+COLUMNS = ('peak', 'C0', 'duration', 'H')   # of the table of points; the first one with its interval
+VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
+CONCERNS = (('atRest', False, 'beds were not at rest at the impact'), ('over', False, 'impacts were not over when the record ended'))
+METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
+Pictures have bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
+of mean logarithms, so that changes are ratios; where a point has a single run, the scatter common to all points of the finding
+is taken. "No difference" is tested against a margin that is stated. A finding is supported or contradicted if its test, or the opposite's, is
+significant at 5 % (two-sided); otherwise the data leave it undecided. It is as strong as its weakest part."""
+
+
+def drawStudy(plan, table, records, output):
+    """Write the figures (PNG), findings.json, and at last findings.md into the folder `output`.
+
+    :param plan: dict as in plan.json; :param table: DataFrame, one row per finished run
+    :param records: folder with a folder for each run, which holds its force.csv
+    :returns: dict as in findings.json
+    :raises ValueError: two figures have the same name, a record cannot be used
+    """
+    _checkNames(plan)
+    os.makedirs(output, exist_ok=True)
+    groups = [GroupData(group, table) for group in plan['groups']]
+    content = {'title': plan['title'], **_header(plan, table),
+               'findings': [judged for group, data in zip(plan['groups'], groups) for judged in _findings(group, data)],
+               'groups': [_group(group, data, records, output) for group, data in zip(plan['groups'], groups)]}
+    results.writeJson(os.path.join(output, 'findings.json'), _clean(content))
+    _writeText(os.path.join(output, 'findings.md'), '\n'.join(_page(content)) + '\n')
+    return content
+
+
+def _writeText(path, text):
+    with open(path + '.part', 'w', encoding='utf-8') as file:
+        file.write(text)
+    os.replace(path + '.part', path)
+
+
+def _checkNames(plan):
+    names = [name for group in plan['groups'] for name in group.get('figures') or {}]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f'figure = {name!r}: two groups have a figure of this name')
+
+
+def _header(plan, table):
+    """What all of the study's runs took, and what computed them."""
+    done = table[table['run'].isin(plan['runs'])]
+    return {'runs': len(done), 'plannedRuns': len(plan['runs']), 'beds': int(done['bed'].nunique()),
+            'cpuHours': _cpuHours(done),
+            'versions': {name: sorted(set(done[column].astype(str))) for column, name in VERSIONS.items()},
+            'concerns': [f'{int((done[column] == bad).sum())} {text}' for column, bad, text in CONCERNS if (done[column] == bad).any()]
+            + ([f'{int((done["uncertified"] > 0).sum())} runs have contact solutions without a certificate']
+               if (done['uncertified'] > 0).any() else [])}
+
+
+def _cpuHours(done):
+    """Time of all impacts and of each bed once, times the threads."""
+    beds = done.drop_duplicates('bed')
+    return float((done['impactSeconds'] * done['threads']).sum() + (beds['bedSeconds'] * beds['threads']).sum()) / 3600
+
+
+def _group(group, data, records, output):
+    figures = []
+    for name, spec in (group.get('figures') or {}).items():
+        used = drawFigure(os.path.join(output, name + '.png'), spec, data, records)
+        figures.append({'name': name, 'kind': spec['kind'], 'runs': used, 'file': f'{name}.png' if used else None})
+    return {'name': data.name, 'title': data.title, 'xName': data.xName, 'runs': len(data.runs), 'plannedRuns': data.planned,
+            'figures': figures, 'points': _points(data)}
+
+
+def _findings(group, data):
+    for finding in group.get('findings') or []:
+        paper = finding.get('paper') or f'{finding["test"]}: {QUANTITIES[finding["y"]].name}'
+        yield {'group': data.name, **judge(finding, data), 'paper': paper}
+
+
+def _points(data):
+    """For each finished point: series, x, beds, and of each of COLUMNS mean, low, high in SI units."""
+    points = []
+    for name in data.series:
+        for x in data.values:
+            number = len(data.rows(name, x))
+            if number:
+                point = {'series': name, 'x': x, 'beds': number}
+                for y in COLUMNS:
+                    sample = data.sample(y, name, x)
+                    point[y] = meanInterval(sample)._asdict() if len(sample) else None
+                points.append(point)
+    return points
+
+
+def _page(content):
+    """The page's lines."""
+    lines = [f'# {content["title"]}', '', _headline(content), '', METHOD, '']
+    lines += [f'**Mind:** {concern}.' for concern in content['concerns']] + [''] * bool(content['concerns'])
+    lines += _overview(content)
+    for group in content['groups']:
+        lines += [f'## {group["title"]}', '', f'{group["runs"]} of {group["plannedRuns"]} runs.', '']
+        for figure in group['figures']:
+            lines += _figureLines(figure)
+        lines += _tableLines(group) + _findingLines(content, group)
+    return lines
+
+
+def _headline(content):
+    versions = ', '.join(f'{name} {" and ".join(values)}' for name, values in content['versions'].items() if values)
+    return (f'{content["runs"]} of {content["plannedRuns"]} runs on {content["beds"]} beds; {plain(content["cpuHours"])} CPU hours'
+            + (f'; {versions}.' if versions else '.'))
+
+
+def _overview(content):
+    if not content['findings']:
+        return []
+    titles = {group['name']: group['title'] for group in content['groups']}
+    rows = [f'| {_escaped(finding["paper"])} | {_escaped(titles[finding["group"]])} | **{finding["verdict"]}** | {finding["runs"]} |'
+            for finding in content['findings']]
+    return ['| finding | in | verdict | runs |', '| --- | --- | --- | --- |', *rows, '']
+
+
+def _figureLines(figure):
+    if not figure['runs']:
+        return [f'{figure["name"]}: no runs yet.', '']
+    return [f'![{figure["name"]}]({figure["file"]})', '', f'*{figure["name"]}: {figure["runs"]} runs.*', '']
+
+
+def _tableLines(group):
+    if not group['points']:
+        return []
+    heads = [group['xName'], 'beds'] + [axisLabel(y).replace('$', '').replace('_', '') for y in COLUMNS]
+    named = any(point['series'] for point in group['points'])
+    heads = ['series'] * named + heads
+    lines = ['| ' + ' | '.join(heads) + ' |', '|' + ' --- |' * len(heads)]
+    for point in group['points']:
+        cells = [point['series']] * named + [xText(point['x']), str(point['beds'])] + [_cell(y, point[y]) for y in COLUMNS]
+        lines.append('| ' + ' | '.join(map(_escaped, cells)) + ' |')
+    return lines + ['']
+
+
+def _cell(y, estimate):
+    if estimate is None:
+        return '-'
+    factor = QUANTITIES[y].factor
+    mean = plain(factor * estimate['mean'])
+    if y != COLUMNS[0] or math.isnan(estimate['low']):
+        return mean
+    return f'{mean} [{plain(factor * estimate["low"])}, {plain(factor * estimate["high"])}]'
+
+
+def _findingLines(content, group):
+    lines = []
+    for finding in content['findings']:
+        if finding['group'] == group['name']:
+            lines.append(f'- {finding["paper"]}: **{finding["verdict"]}** ({finding["runs"]} runs). {finding["summary"]}'.rstrip())
+            lines += [f'  - {part["name"]}: {part["text"]}' if part['name'] else f'  - {part["text"]}' for part in finding['parts']]
+    return lines + [''] * bool(lines)
+
+
+def _escaped(text):
+    return text.replace('|', '\\|')
+
+
+def _clean(value):
+    """The same with plain numbers, and None for nan, as JSON wants it."""
+    if isinstance(value, dict):
+        return {key: _clean(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_clean(item) for item in value]
+    if hasattr(value, 'item'):
+        value = value.item()
+    return None if isinstance(value, float) and not isNumber(value) else value

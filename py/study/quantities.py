@@ -1,0 +1,98 @@
+"""The measured quantities that findings and figures may ask for: columns of the table, with names and units for readers."""
+import math
+import numbers
+from collections import namedtuple
+
+Quantity = namedtuple('Quantity', 'name symbol unit factor')
+Quantity.__doc__ = """A column of the table for readers: name, symbol (or ''), unit (or ''), and by what its SI value is multiplied to get there."""
+
+QUANTITIES = {
+    'peak': Quantity('peak force', '$P$', 'kN', 1e-3),
+    'peakTime': Quantity('time of the peak in the record', '', 'ms', 1e3),
+    'duration': Quantity('duration', '', 'ms', 1e3),
+    'lastTime': Quantity('end of the last pulse in the record', '', 'ms', 1e3),
+    'impulse': Quantity('impulse', '', 'N s', 1),
+    'P0': Quantity('peak force without a bed', '$P_0$', 'kN', 1e-3),
+    'bufferingRatio': Quantity('buffering ratio', '', '', 1),
+    'H': Quantity('thickness', '$H$', 'mm', 1e3),
+    'C0': Quantity('packing fraction', '$C_0$', '', 1),
+    'innerC0': Quantity('inner packing fraction', '', '', 1),
+    'number': Quantity('number of particles', '', '', 1),
+    'staticForce': Quantity('static force', '', 'N', 1),
+    'weight': Quantity('weight of the bed', '', 'N', 1),
+    'pours': Quantity('pours', '', '', 1),
+    'surfaceSpeed': Quantity('speed at the surface', '', 'm/s', 1),
+    'solves': Quantity('contact problems', '', '', 1),
+    'iterations': Quantity('iterations', '', '', 1),
+    'fallbacks': Quantity('fallbacks', '', '', 1),
+    'uncertified': Quantity('uncertified solutions', '', '', 1),
+    'dtImpact': Quantity('time step of the impact', '', 'us', 1e6),
+    'bedSeconds': Quantity('computing the bed', '', 's', 1),
+    'impactSeconds': Quantity('computing the impact', '', 's', 1),
+    'threads': Quantity('threads', '', '', 1),
+}
+
+X_LABELS = {'thickness': 'thickness $H$ [m]', 'aspect': 'aspect ratio $c/a$', 'n1': 'exponent $n_1$', 'n2': 'exponent $n_2$',
+            'n': 'exponent $n$', 'friction': 'coefficient of friction', 'speed': 'speed $V_0$ [m/s]'}
+
+
+def checkQuantity(name, value):
+    """`value` if it is a quantity's name."""
+    if value not in QUANTITIES:
+        raise ValueError(f'{name} = {value!r}: must be one of {", ".join(QUANTITIES)}')
+    return value
+
+
+def isNumber(value):
+    return isinstance(value, numbers.Real) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def allNumbers(values):
+    """Whether the x values make an axis (else they are names, such as those of variants)."""
+    return all(map(isNumber, values))
+
+
+def axisLabel(y):
+    """Label of an axis for the quantity `y`, such as 'peak force P [kN]'."""
+    quantity = QUANTITIES[y]
+    symbol = f' {quantity.symbol}' if quantity.symbol else ''
+    unit = f' [{quantity.unit}]' if quantity.unit else ''
+    return quantity.name + symbol + unit
+
+
+def xAxisLabel(group):
+    """Label of the x axis of a plan's group: its own, or one made from the parameter's name."""
+    return group.get('xLabel') or X_LABELS.get(group['xName'], group['xName'])
+
+
+def xSentence(label, value):
+    """'thickness H = 0.02 m' from the label 'thickness H [m]' and the value 0.02."""
+    name, _, unit = label.partition(' [')
+    return f'{name} = {xText(value)} {unit.rstrip("]")}'.strip()
+
+
+def plain(value, digits=3):
+    """A number for readers: `digits` significant ones, no exponent between 1e-3 and 1e6; '-' for nothing."""
+    if value is None or not math.isfinite(value):
+        return '-'
+    if value == 0 or 1e-3 <= abs(value) < 1e6:
+        decimals = 0 if value == 0 else max(0, digits - 1 - math.floor(math.log10(abs(value))))
+        return f'{value:.{decimals}f}'
+    return f'{value:.{digits}g}'
+
+
+def signed(value):
+    """A difference for readers."""
+    text = plain(value)
+    return text if text.startswith('-') else '+' + text
+
+
+def xText(value):
+    """An x value for readers, as it was given."""
+    return f'{value:g}' if isNumber(value) else str(value)
+
+
+def inUnit(y, value, digits=3):
+    """The SI value of a quantity as text in its reader's unit."""
+    quantity = QUANTITIES[y]
+    return f'{plain(quantity.factor * value, digits)} {quantity.unit}'.strip()

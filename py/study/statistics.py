@@ -1,0 +1,146 @@
+"""Statistics of few and scattered runs: means and their differences with Student intervals, trends by rank.
+
+Intervals are two-sided. Runs of different points are independent: each bed comes from its own seed and packing is chaotic.
+"""
+import math
+from collections import namedtuple
+
+import numpy
+from scipy import stats
+
+LEVEL = 0.95
+PERMUTATIONS = 9999
+SEED = 20180501      # of the permutations, where values are equal: the same data give the same p values
+
+Estimate = namedtuple('Estimate', 'mean low high number')
+Estimate.__doc__ = """Mean of a sample with its interval; low and high are nan for a single value: there is none."""
+
+Trend = namedtuple('Trend', 'share rises falls')
+Trend.__doc__ = """A monotone trend of y over x: share: of the pairs of runs with different x, those that rise less those that fall, -1 to 1;
+rises, falls: one-sided p values."""
+
+
+class Contrast(namedtuple('Contrast', 'estimate low high error dof number')):
+    """A weighted sum of means: estimate, interval, standard error, degrees of freedom, number of runs.
+
+    Without a scatter to judge by (single runs) low, high, error and dof are nan, and so are all p values.
+    """
+
+    def above(self, bound=0.0):
+        """One-sided p value of 'the true sum is at most `bound`': small if it is above."""
+        if self.error == 0:
+            return 0.0 if self.estimate > bound else 1.0
+        return float(stats.t.sf((self.estimate - bound) / self.error, self.dof))
+
+    def below(self, bound=0.0):
+        """One-sided p value of 'the true sum is at least `bound`'."""
+        return Contrast(-self.estimate, -self.high, -self.low, self.error, self.dof, self.number).above(-bound)
+
+    def twoSided(self):
+        return min(1.0, 2 * min(self.above(), self.below())) if self.error >= 0 else math.nan
+
+
+def meanInterval(sample, level=LEVEL):
+    """`Estimate` of a sample (one value at least)."""
+    sample = numpy.asarray(sample, dtype=float)
+    mean, number = float(sample.mean()), len(sample)
+    if number < 2:
+        return Estimate(mean, math.nan, math.nan, number)
+    reach = float(stats.t.ppf(0.5 + level / 2, number - 1) * sample.std(ddof=1) / math.sqrt(number))
+    return Estimate(mean, mean - reach, mean + reach, number)
+
+
+def pooledVariance(samples):
+    """Variance within samples, taken to be the same in all, and its degrees of freedom (0: no sample has two values)."""
+    dof = sum(len(sample) - 1 for sample in samples)
+    if dof == 0:
+        return math.nan, 0
+    return sum(float(((sample - numpy.mean(sample)) ** 2).sum()) for sample in map(numpy.asarray, samples)) / dof, dof
+
+
+def contrast(samples, weights, level=LEVEL, pool=None):
+    """`Contrast` sum(weights * means of samples); with the weights (1, -1) Welch's t interval of a difference.
+
+    :param pool: samples from which one common variance is taken, instead of each sample's own (Welch and Satterthwaite)
+    """
+    samples = [numpy.asarray(sample, dtype=float) for sample in samples]
+    estimate = float(sum(weight * sample.mean() for weight, sample in zip(weights, samples)))
+    number = sum(map(len, samples))
+    if pool is not None:
+        variance, dof = pooledVariance(pool)
+        squared = variance * sum(weight ** 2 / len(sample) for weight, sample in zip(weights, samples))
+    else:
+        squared, dof = _satterthwaite(samples, weights)
+    if not dof:
+        return Contrast(estimate, math.nan, math.nan, math.nan, math.nan, number)
+    error = math.sqrt(squared)
+    reach = float(stats.t.ppf(0.5 + level / 2, dof) * error) if error else 0.0
+    return Contrast(estimate, estimate - reach, estimate + reach, error, dof, number)
+
+
+def _satterthwaite(samples, weights):
+    """Variance of the weighted sum of means and its degrees of freedom (0: a sample has a single value)."""
+    if min(map(len, samples)) < 2:
+        return math.nan, 0
+    parts = [weight ** 2 * sample.var(ddof=1) / len(sample) for weight, sample in zip(weights, samples)]
+    total = sum(parts)
+    if total == 0:
+        return 0.0, sum(len(sample) - 1 for sample in samples)
+    return total, total ** 2 / sum(part ** 2 / (len(sample) - 1) for part, sample in zip(parts, samples))
+
+
+def holm(values):
+    """Holm's p values: as small as `values` may be called when all of them are looked at. nan stays nan."""
+    values = numpy.asarray(values, dtype=float)
+    adjusted, largest = numpy.full(len(values), math.nan), 0.0
+    order = [i for i in numpy.argsort(values) if not math.isnan(values[i])]
+    for rank, i in enumerate(order):
+        largest = max(largest, min(1.0, (len(order) - rank) * values[i]))
+        adjusted[i] = largest
+    return adjusted
+
+
+def trend(samples, seed=SEED):
+    """`Trend` of {x: values}: Jonckheere's and Terpstra's test for ordered groups, all arrangements of the runs over the x being alike.
+
+    It needs no scatter within an x, so that single runs at five or more x are enough, and takes no shape of the trend for
+    granted. The p values are exact; if values are equal, they come from PERMUTATIONS seeded permutations.
+    """
+    places = sorted(samples)
+    x = numpy.concatenate([numpy.full(len(samples[place]), place, dtype=float) for place in places])
+    y = numpy.concatenate([numpy.asarray(samples[place], dtype=float) for place in places])
+    lower, upper = numpy.nonzero(x[:, None] < x[None, :])
+    if not len(lower):
+        return Trend(math.nan, math.nan, math.nan)
+    observed = int(numpy.sign(y[upper] - y[lower]).sum())
+    if len(set(y)) == len(y):
+        ways, falling = _arrangements([len(samples[place]) for place in places]), (len(lower) - observed) // 2
+        p = sum(ways[:falling + 1]) / sum(ways), sum(ways[falling:]) / sum(ways)
+    else:
+        random = numpy.random.default_rng(seed)
+        others = random.permuted(numpy.tile(y, (PERMUTATIONS, 1)), axis=1)
+        shuffled = numpy.array([numpy.sign(other[upper] - other[lower]).sum() for other in others])
+        p = tuple((1 + int(side.sum())) / (1 + PERMUTATIONS) for side in (shuffled >= observed, shuffled <= observed))
+    return Trend(observed / len(lower), *p)
+
+
+def _arrangements(counts):
+    """Number of arrangements of different values over groups of `counts`, by the number of pairs that fall from an earlier group
+    to a later one: the coefficients of the Gaussian multinomial, prod (1 - q^n) / prod (1 - q^i)."""
+    ways, placed = [1], 0
+    for count in counts:
+        for i in range(1, count + 1):
+            placed += 1
+            product = ways + [0] * placed
+            for k in range(len(product) - 1, placed - 1, -1):
+                product[k] -= product[k - placed]
+            for k in range(i, len(product)):
+                product[k] += product[k - i]
+            ways = product[:len(ways) + placed - i]
+    return ways
+
+
+def leastP(samples):
+    """The smallest one-sided p value that `trend` could give: that of the one arrangement in full order."""
+    counts = [len(sample) for sample in samples.values()]
+    return math.prod(map(math.factorial, counts)) / math.factorial(sum(counts))

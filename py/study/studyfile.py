@@ -1,0 +1,229 @@
+"""Study files: read a YAML file and check all of it before anything is planned or run.
+
+What a file may hold is told in docs/study.md. Messages name the place in the file, as in `groups.thickness.x = []: must not be empty`.
+"""
+import re
+
+import yaml
+
+from .. import checks
+from ..parameters import defaults
+from .figures import checkFigure
+from .findings import checkFinding
+
+STUDY_KEYS = ('title', 'base', 'seeds', 'groups', 'validations')
+GROUP_KEYS = ('title', 'base', 'x', 'variants', 'xLabel', 'series', 'seeds', 'figures', 'findings')
+NAME = re.compile(r'[A-Za-z0-9][A-Za-z0-9_-]*')  # of a group: files are named after it
+
+
+def read(path):
+    """The checked content of the study file `path`, see `checkedStudy`.
+
+    :raises ValueError: the file cannot be read, is no YAML, or asks for something that cannot be
+    """
+    try:
+        with open(path, encoding='utf-8') as file:
+            content = yaml.load(file, _Loader)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f'study file = {str(path)!r}: cannot be read ({getattr(error, "strerror", None) or error})') from None
+    except yaml.YAMLError as error:
+        raise ValueError(f'study file = {str(path)!r}: {" ".join(str(error).split())}') from None
+    return checkedStudy(content)
+
+
+class _Loader(yaml.SafeLoader):
+    """YAML's safe loader that knows 5e-3 as a number, and refuses a key that comes twice in a mapping instead of taking the last."""
+
+    def construct_mapping(self, node, deep=False):
+        keys = [key.value for key, _ in node.value if key.tag != 'tag:yaml.org,2002:merge' and isinstance(key.value, str)]
+        for key in keys:
+            if keys.count(key) > 1:
+                raise yaml.YAMLError(f'{key} is given twice, line {node.start_mark.line + 1}')
+        return super().construct_mapping(node, deep)
+
+
+_Loader.add_implicit_resolver('tag:yaml.org,2002:float', re.compile(r'[-+]?[0-9]+[eE][-+]?[0-9]+'), list('-+0123456789'))
+
+
+def checkedStudy(content):
+    """Check the content of a study file; the study with all optional entries filled in and numbers as numbers.
+
+    :param content: dict, as read from the file
+    :returns: dict with title, base, seeds, validations and groups; each group with all of GROUP_KEYS (x or variants is None) and
+        its name
+    :raises ValueError: naming the place and what is wrong there
+    """
+    study = _keys('study file', content, STUDY_KEYS, ('title', 'groups'))
+    seeds = checkedSeeds('seeds', study.get('seeds', [1]))
+    groups = _mapping('groups', study['groups'])
+    result = {'title': _text('title', study['title']), 'base': _parameters('base', study.get('base', {})), 'seeds': seeds,
+              'validations': _validations(study.get('validations', {})),
+              'groups': [_group(name, group, seeds) for name, group in groups.items()]}
+    _checkFigureNames(result['groups'])
+    return result
+
+
+def checkedSeeds(place, values):
+    """`values` as a list of different whole numbers."""
+    seeds = [checks.wholeNumber(place, _number(place, seed), 0) for seed in _list(place, values)]
+    return _different(place, seeds)
+
+
+def _validations(content):
+    flags = _keys('validations', content, ('cylinderOnPlane',))
+    for name, flag in flags.items():
+        if not isinstance(flag, bool):
+            raise ValueError(f'validations.{name} = {flag!r}: must be true or false')
+    return flags
+
+
+def _group(name, content, seeds):
+    place = f'groups.{_name("groups", name)}'
+    group = _keys(place, content, GROUP_KEYS)
+    if ('x' in group) == ('variants' in group):
+        raise ValueError(f'{place}: needs either x or variants')
+    result = {'name': name, 'title': _text(f'{place}.title', group.get('title', name)),
+              'base': _parameters(f'{place}.base', group.get('base', {})), 'x': None, 'variants': None,
+              'seeds': checkedSeeds(f'{place}.seeds', group['seeds']) if 'seeds' in group else seeds}
+    if 'x' in group:
+        result['x'] = xName, _ = _x(f'{place}.x', group['x'])
+    else:
+        xName = 'variant'
+        result['variants'] = {_text(f'{place}.variants', key): _parameters(f'{place}.variants.{key}', values)
+                              for key, values in _mapping(f'{place}.variants', group['variants']).items()}
+    result['xLabel'] = _text(f'{place}.xLabel', group.get('xLabel', xName))
+    result['series'] = _seriesOf(place, group, xName)
+    shape = {'series': list(result['series']), 'xName': xName, 'values': list(result['variants'] or result['x'][1])}
+    figures = _mapping(f'{place}.figures', group.get('figures', {}), mayBeEmpty=True)
+    result['figures'] = {key: _accepted(f'{place}.figures.{key}', checkFigure, key, figure, shape) for key, figure in figures.items()}
+    findings = _list(f'{place}.findings', group.get('findings', []), mayBeEmpty=True)
+    result['findings'] = [_accepted(f'{place}.findings[{i}]', _checkedFinding, finding, shape) for i, finding in enumerate(findings)]
+    return result
+
+
+def _checkFigureNames(groups):
+    """All figures are files in one folder."""
+    owner = {}
+    for group in groups:
+        for name in group['figures']:
+            if owner.setdefault(name, group['name']) != group['name']:
+                raise ValueError(f'groups.{group["name"]}.figures.{name}: groups.{owner[name]} has a figure of that name')
+
+
+def _x(place, content):
+    """(name, values) of the entry `x`: one name and its list of numbers."""
+    if len(_mapping(place, content)) != 1:
+        raise ValueError(f'{place} = {content!r}: must have one name, with the list of its values')
+    name, values = next(iter(content.items()))
+    name = _text(place, name)
+    if name == 'seed':
+        raise ValueError(f'{place} = {content!r}: seeds are given by seeds')
+    if name in defaults() and not isinstance(defaults()[name], (int, float, type(None))) or name == 'shape':
+        raise ValueError(f'{place} = {content!r}: {name} is no number; use series or variants')
+    return name, _different(place, [_number(f'{place}.{name}', value) for value in _list(f'{place}.{name}', values)])
+
+
+def _seriesOf(place, group, xName):
+    """{name: (parameters, names of the parameters that take x)} of the group's series."""
+    if 'series' not in group and 'variants' not in group and xName not in defaults():
+        raise ValueError(f'{place}.x: {xName} is no parameter; series that say what they vary are needed')
+    content = _mapping(f'{place}.series', group.get('series', {'': {}}))
+    return {_text(f'{place}.series', name, mayBeEmpty='series' not in group):
+            _oneSeries(f'{place}.series.{name}', one, xName, 'x' in group) for name, one in content.items()}
+
+
+def _oneSeries(place, content, xName, hasX):
+    one = dict(_mapping(place, content, mayBeEmpty=True))
+    vary = one.pop('vary', None)
+    parameters = _parameters(place, one)
+    if not hasX:
+        if vary is not None:
+            raise ValueError(f'{place}.vary = {vary!r}: a group of variants has no x to vary')
+        return parameters, []
+    if vary is None:
+        if xName not in defaults():
+            raise ValueError(f'{place}: {xName} is no parameter; vary must say which parameters take its values')
+        vary = [xName]
+    vary = _different(f'{place}.vary', list(_parameters(f'{place}.vary', dict.fromkeys(_list(f'{place}.vary', vary)))))
+    for name in vary:
+        if name in parameters:
+            raise ValueError(f'{place}.{name} = {parameters[name]!r}: {name} takes the values of x')
+    return parameters, vary
+
+
+def _checkedFinding(content, group):
+    """A finding that can be tested, and with the sentence to quote in the results."""
+    finding = checkFinding(content, group)
+    _text('paper', finding.get('paper'))
+    return finding
+
+
+def _accepted(place, check, *arguments):
+    """What `check(*arguments)` returns; its complaints with the place in front."""
+    try:
+        return check(*arguments)
+    except ValueError as error:
+        raise ValueError(f'{place}: {error}') from None
+
+
+def _parameters(place, content):
+    """`content` if all its keys are parameters; their values are checked together with the others', point by point."""
+    content = _mapping(place, content, mayBeEmpty=True)
+    for name, value in content.items():
+        if name == 'seed':
+            raise ValueError(f'{place}.seed = {value!r}: seeds are given by seeds, so that every point has the same')
+        if name not in defaults():
+            raise ValueError(f'{place}.{name} = {value!r}: there is no such parameter')
+    return content
+
+
+def _keys(place, content, allowed, needed=()):
+    for key in _mapping(place, content, mayBeEmpty=not needed):
+        if key not in allowed:
+            raise ValueError(f'{place}: {key!r} is unknown; possible are {", ".join(allowed)}')
+    for key in needed:
+        if key not in content:
+            raise ValueError(f'{place}: {key} is missing')
+    return content
+
+
+def _mapping(place, content, mayBeEmpty=False):
+    if not isinstance(content, dict):
+        raise ValueError(f'{place} = {content!r}: must be a mapping of names to values')
+    if not content and not mayBeEmpty:
+        raise ValueError(f'{place} = {content!r}: must not be empty')
+    return content
+
+
+def _list(place, content, mayBeEmpty=False):
+    if not isinstance(content, list):
+        raise ValueError(f'{place} = {content!r}: must be a list')
+    if not content and not mayBeEmpty:
+        raise ValueError(f'{place} = {content!r}: must not be empty')
+    return content
+
+
+def _different(place, values):
+    for value in values:
+        if values.count(value) > 1:
+            raise ValueError(f'{place} = {values!r}: {value!r} is repeated')
+    return values
+
+
+def _number(place, value):
+    """`value` as a float, or int where it is one; YAML's true and false are none."""
+    if isinstance(value, bool):
+        raise ValueError(f'{place} = {value!r}: must be a number')
+    return value if isinstance(value, int) else checks.finite(place, value)
+
+
+def _text(place, value, mayBeEmpty=False):
+    if not isinstance(value, str) or not (value or mayBeEmpty):
+        raise ValueError(f'{place} = {value!r}: must be a text')
+    return value
+
+
+def _name(place, value):
+    if not isinstance(value, str) or not NAME.fullmatch(value):
+        raise ValueError(f'{place} = {value!r}: must be made of letters, digits, - and _, files are named after it')
+    return value

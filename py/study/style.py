@@ -1,0 +1,46 @@
+"""How the study's pictures look: colours for the colour-blind, markers, panels, files."""
+import os
+
+import numpy
+
+COLOURS = ('#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000')   # after Okabe and Ito
+MARKERS = ('o', 's', '^', 'D', 'v', 'P', 'X')
+RAMP = ((0.0, '#1b1464'), (0.3, '#0f6fae'), (0.55, '#11a08a'), (0.8, '#d9a400'), (1.0, '#d1400f'))
+
+
+def rampColours(number):
+    """`number` colours in order, dark blue to red by way of green and yellow, of rising then falling lightness."""
+    from matplotlib.colors import LinearSegmentedColormap
+    ramp = LinearSegmentedColormap.from_list('ramp', RAMP)
+    return [ramp(place) for place in numpy.linspace(0, 1, number)] if number > 1 else [ramp(0.25)]
+
+
+def newFigure(columns, rows, width, height, **sharing):
+    """A figure without a display, and its panels (rows, columns); `width`, `height` of a panel in inches."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    figure = Figure(figsize=(max(width * columns, 5.6), height * rows + 0.4), layout='constrained')
+    FigureCanvasAgg(figure)
+    panels = figure.subplots(rows, columns, squeeze=False, **sharing)
+    for axes in panels.flat:
+        axes.spines[['top', 'right']].set_visible(False)
+        axes.grid(True, color='#e8e8e8', lw=0.7)
+        axes.set_axisbelow(True)
+    return figure, panels
+
+
+def outerLegend(figure, panels):
+    """One legend for all panels, above them, with what is labelled in any."""
+    found = {}
+    for axes in panels:
+        for handle, label in zip(*axes.get_legend_handles_labels()):
+            found.setdefault(label, handle)
+    if found:
+        figure.legend(found.values(), found.keys(), loc='outside upper center', ncols=min(len(found), 6), frameon=False)
+
+
+def save(figure, path):
+    """Write the PNG; it takes the place of an older one only when it is complete."""
+    partial = f'{path}.part'
+    figure.savefig(partial, format='png', dpi=150, metadata={'Software': None})
+    os.replace(partial, path)
