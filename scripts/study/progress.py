@@ -11,7 +11,8 @@ import time
 from snakemake.logging import logger
 
 TARGETS = ('runs', 'page')
-COST = {'bed': 1.0, 'impact': 0.3}  # computing time of a job over that of pouring the same bed, roughly
+# Computing time of a job by the number of particles, in any unit: higher beds take longer to rest, impacts last alike.
+COST = {'bed': lambda particles: particles ** 1.5, 'impact': lambda particles: 9 * particles}
 
 
 class Progress:
@@ -29,10 +30,10 @@ class Progress:
         particles = {name: bed['particles'] for name, bed in plan['beds'].items()}
         for name in particles:
             if not os.path.exists(f'beds/{name}/bed.json'):
-                self.cost['bed', name] = COST['bed'] * particles[name]
+                self.cost['bed', name] = COST['bed'](particles[name])
         for name, run in plan['runs'].items():
             if not os.path.exists(f'impacts/{name}/summary.json'):
-                self.cost['impact', name] = COST['impact'] * particles[run['bed']]
+                self.cost['impact', name] = COST['impact'](particles[run['bed']])
 
     def job(self, message):
         self.names[message['jobid']] = message['name'], next(iter((message.get('wildcards') or {}).values()), '')

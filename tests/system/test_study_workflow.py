@@ -97,62 +97,78 @@ def killed(study, victims):
 
 
 def test_killedAndStoppedStudiesGoOn(tmp_path):
-    for name in ('reference', 'killed'):
+    """Whatever ends a study: finished jobs are not redone, and in the end its table is that of a study that was never disturbed."""
+    for name in ('reference', 'disturbed'):
         (tmp_path / name).mkdir()
-    reference, study = Study(tmp_path / 'reference'), Study(tmp_path / 'killed')
+    reference, study = Study(tmp_path / 'reference'), Study(tmp_path / 'disturbed')
     code, out, error = reference.run()
     assert code == 0, error
     assert '4 impacts on 2 beds; 0 impacts are finished' in out and (reference.output / 'figures' / 'findings.md').exists()
     runs = list(reference.plan()['runs'])
     study.order('hold', runs[3])
+    finished = killJob(study, runs[3])
+    killParents(study, runs[3], finished)
+    interrupt(study, finished)
+    goOnWithADamagedSummary(study, runs, finished)
+    assert (study.output / 'results.csv').read_bytes() == (reference.output / 'results.csv').read_bytes()
+    repeat(study, runs)
 
-    # A job is killed: the others are finished, the table holds them.
-    process, pids = killed(study, (False, False, True))
-    out, error = process.communicate(timeout=60)
+
+def killJob(study, run):
+    """The others are finished, the table holds them. Returns their results."""
+    process, _ = killed(study, (False, False, True))
+    error = process.communicate(timeout=60)[1]
     assert process.returncode == 1
-    assert 'not all was made: 3 of 4 impacts are finished and in the table' in error and f'logs/impacts/{runs[3]}.log' in error
+    assert 'not all was made: 3 of 4 impacts are finished and in the table' in error and f'logs/impacts/{run}.log' in error
     assert len((study.output / 'results.csv').read_text().splitlines()) == 1 + 3
-    finished = study.results()
-    assert len(finished) == 2 + 3
+    assert len(study.results()) == 2 + 3
+    return study.results()
 
-    # study.py is killed, then snakemake: snakemake goes with study.py, and the job leaves its checkpoint.
+
+def killParents(study, run, finished):
+    """Kill study.py, which takes snakemake with it, then snakemake alone: the job leaves its checkpoint."""
     for victims in ((True, False, False), (False, True, False)):
         process, pids = killed(study, victims)
         process.communicate(timeout=60)
         waitFor(lambda: not any(map(alive, pids)), 'end of the job')
-        assert (study.output / 'impacts' / runs[3] / 'checkpoint.json').exists()
+        assert (study.output / 'impacts' / run / 'checkpoint.json').exists()
         assert study.results() == finished
 
-    # Ctrl-C; a second study.py is refused as long as the first one runs.
+
+def interrupt(study, finished):
+    """Ctrl-C; before it a second study.py is refused."""
     process, pids = killed(study, (False, False, False))
-    code, out, error = study.run()
+    code, _, error = study.run()
     assert code == 2 and error.splitlines()[-1].endswith('another study.py is at work there')
     process.send_signal(signal.SIGINT)
-    out, error = process.communicate(timeout=60)
+    error = process.communicate(timeout=60)[1]
     assert process.returncode == 130 and '3 of 4 impacts are finished. The same command goes on.' in error
     assert not any(map(alive, pids)) and study.results() == finished
 
-    # A disk was full, long ago: the damaged summary is named, does not count and is made again.
+
+def goOnWithADamagedSummary(study, runs, finished):
+    """It is named, does not count and is made again; the interrupted job is taken up."""
     damaged = study.output / 'impacts' / runs[0] / 'summary.json'
     whole = damaged.read_text()
     damaged.write_text(whole[:len(whole) // 2])
     study.release()
-    code, out, error = study.run()
+    code, _, error = study.run()
     assert code == 0 and f'{damaged}: damaged' in error
     assert (study.orders / f'done.{runs[3]}').read_text() == 'taken up'
     assert damaged.read_text() == whole
-    assert (study.output / 'results.csv').read_bytes() == (reference.output / 'results.csv').read_bytes()
-    finished.pop(damaged)
-    assert finished.items() <= study.results().items()
+    assert {path: time for path, time in finished.items() if path != damaged}.items() <= study.results().items()
 
-    # Nothing is left to do, whatever the dates say.
-    everything, table = study.results(), (study.output / 'results.csv').stat().st_mtime_ns
+
+def repeat(study, runs):
+    """Nothing is left to do, whatever the dates say."""
+    table = study.output / 'results.csv'
+    before = table.stat().st_mtime_ns
     os.utime(study.output / 'beds' / study.plan()['runs'][runs[0]]['bed'] / 'bed.json')
     for path in study.orders.iterdir():
         path.unlink()
     assert study.run()[0] == 0
-    assert not list(study.orders.iterdir()) and len(study.results()) == len(everything)
-    assert (study.output / 'results.csv').stat().st_mtime_ns == table
+    assert not list(study.orders.iterdir()) and len(study.results()) == 2 + 4
+    assert table.stat().st_mtime_ns == before
 
 
 def test_failedBedAndMoreSeeds(tmp_path):
@@ -195,6 +211,7 @@ def test_slurmProfile(tmp_path):
     for name, text in (('sbatch', SBATCH), ('squeue', SQUEUE)):
         (study.bin / name).write_text(text)
         (study.bin / name).chmod(0o755)
+    study.environment['CI'] = 'true'  # snakemake then does not wait for ten seconds between its looks at the jobs
     code, out, error = study.run(*profile)
     assert code == 0, error
     assert len(study.results()) == 1 + 2
