@@ -9,7 +9,7 @@ from collections import Counter
 from yade import O
 from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import report, results
+from . import checkpoint, report, results
 from .bedgeometry import measureBed
 from .container import Container, setHeight
 from .engines import engine, solverCounters
@@ -20,7 +20,6 @@ from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, r
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
-SCENE, STATE = 'checkpoint.yade.gz', 'checkpoint.json'
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 BED_SCENE, BED = 'bed.yade.gz', 'bed.json'  # a bed at rest, for any number of impacts
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
@@ -76,9 +75,10 @@ class ImpactRun:
 
     @classmethod
     def _inFolder(cls, output, state, stream):
-        if cls.isInterrupted(output):
+        if checkpoint.exists(output):
             raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
         os.makedirs(output, exist_ok=True)
+        checkpoint.remove(output)
         run = cls(output, state, stream)
         run._remove((*report.FILES, BED, BED_SCENE))
         return run
@@ -86,17 +86,12 @@ class ImpactRun:
     @staticmethod
     def isInterrupted(output):
         """Whether the folder holds an interrupted run."""
-        return any(os.path.exists(os.path.join(output, name)) for name in (SCENE, STATE))
+        return checkpoint.exists(output)
 
     @classmethod
     def resume(cls, output, stream=sys.stderr):
         """Take up the interrupted run in the folder `output`."""
-        statePath, scenePath = (os.path.join(output, name) for name in (STATE, SCENE))
-        if not (os.path.exists(statePath) and os.path.exists(scenePath)):
-            raise ValueError(f'output = {output!r}: there is no checkpoint of an interrupted run to resume')
-        run = cls(output, results.readJson(statePath), stream)
-        O.load(scenePath)
-        return run
+        return cls(output, checkpoint.load(output), stream)
 
     @property
     def container(self):
@@ -139,7 +134,7 @@ class ImpactRun:
         O.save(self.path(BED_SCENE))
         self.state['bed']['wallSeconds'] = self.state['seconds']
         results.writeJson(self.path(BED), self.state)
-        self._remove((SCENE, STATE))
+        checkpoint.remove(self.output)
 
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
@@ -147,8 +142,7 @@ class ImpactRun:
         self.state['stepsLeft'] = self.stepper.left
         if self.recorder is not None:
             self._writeRecord()
-        O.save(self.path(SCENE))
-        results.writeJson(self.path(STATE), self.state)
+        checkpoint.save(self.output, self.state)
 
     def _plan(self):
         """Expected steps of the stages, for the estimate of the time left."""
@@ -269,7 +263,7 @@ class ImpactRun:
         self._openRecord()
         self._count()
         self.summary = report.write(self)
-        self._remove((SCENE, STATE))  # the run is done: a checkpoint of it would only mislead
+        checkpoint.remove(self.output)  # the run is done: a checkpoint of it would only mislead
         self.state['stage'] = 'done'
 
     def _openRecord(self):

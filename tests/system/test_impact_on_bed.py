@@ -104,3 +104,17 @@ def test_thicknessThatIsMissedIsTold(bed, tmp_path):
     state['parameters']['thicknessTolerance'] = 1e-4
     results.writeJson(str(tmp_path / 'bed' / 'bed.json'), state)
     assert 'WARNING    the bed is' in report.text(impact(tmp_path / 'bed', tmp_path / 'impact'))
+
+
+def test_aCheckpointIsWholeOrNone(bed, tmp_path, monkeypatch):
+    """Killed between its two files, a run has no checkpoint: it begins anew instead of going on from halves that do not fit."""
+    run = sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None)
+    run.run(until='static')
+    assert sq.ImpactRun.isInterrupted(str(tmp_path))
+    monkeypatch.setattr(results, 'writeJson', lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+    with pytest.raises(KeyboardInterrupt):
+        run.save()
+    monkeypatch.undo()
+    assert not sq.ImpactRun.isInterrupted(str(tmp_path)) and (tmp_path / 'checkpoint.yade.gz').exists()
+    assert impact(bed, tmp_path)['impact']['over']
+    assert not (tmp_path / 'checkpoint.yade.gz').exists()
