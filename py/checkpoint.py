@@ -17,18 +17,22 @@ def save(folder, state):
     """Write the scene and the `state` (a dict for JSON). Whoever is killed in the middle leaves none, never two halves that do not fit."""
     remove(folder)
     O.save(os.path.join(folder, SCENE))
+    results.flush(os.path.join(folder, SCENE))
     results.writeJson(os.path.join(folder, STATE), state)
 
 
 def load(folder):
     """Load the scene; returns the state.
 
-    :raises ValueError: there is no checkpoint
+    :raises ValueError: there is no checkpoint, or a damaged one
     """
     if not (exists(folder) and os.path.exists(os.path.join(folder, SCENE))):
         raise ValueError(f'output = {folder!r}: there is no checkpoint of an interrupted run to resume')
-    state = results.readJson(os.path.join(folder, STATE))
-    O.load(os.path.join(folder, SCENE))
+    try:
+        state = results.readJson(os.path.join(folder, STATE))
+        O.load(os.path.join(folder, SCENE))
+    except (ValueError, RuntimeError) as error:
+        raise ValueError(f'output = {folder!r}: its checkpoint is damaged ({error}); remove {STATE} to begin anew') from None
     return state
 
 

@@ -4,9 +4,13 @@ import math
 
 
 def finite(name, value):
-    """`value` as a finite float."""
+    """`value` as a finite float; True and False are no numbers."""
     try:
+        if isinstance(value, bool):
+            raise TypeError
         number = float(value)
+    except OverflowError:
+        number = math.inf
     except (TypeError, ValueError):
         raise ValueError(f'{name} = {value!r}: must be a number') from None
     if not math.isfinite(number):

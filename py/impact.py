@@ -37,8 +37,8 @@ def surfaceSpeed(speed, height, gravity=9.81):
     return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), gravity)
 
 
-def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81):
-    """Put the impactor, a YADE sphere, into the scene on the z axis, on its way down.
+def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81, place=(0.0, 0.0)):
+    """Put the impactor, a YADE sphere, into the scene above a place of the base, on its way down.
 
     It has `speed` [m/s] at `dropHeight` [m] above the `surface` [m]. The free fall is not simulated: the sphere
     starts just above the highest obstacle below it, with the speed that it has there.
@@ -47,17 +47,18 @@ def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacl
     :param material: `CurvatureMat` in O.materials whose other parameters it takes
     :param obstacles: ids of the particles; only those beneath the sphere count
     :param gravity: downward [m/s2]
+    :param place: x and y of its centre [m]
     :returns: its id
     :raises ValueError: it would not get as high as the highest obstacle; nothing has been added then
     """
     radius = checks.positive('impactor diameter', diameter) / 2
     density, gravity = checks.positive('impactor density', density), checks.positive('gravity', gravity)
     speed, dropHeight = checks.notNegative('speed', speed), checks.notNegative('dropHeight', dropHeight)
-    bottom = max([surface] + [top for top in map(_topBeneath(radius), obstacles) if top is not None]) + CLEARANCE
+    bottom = max([surface] + [top for top in map(_topBeneath(radius, place), obstacles) if top is not None]) + CLEARANCE
     startSpeed = speedAt(bottom - surface, speed, dropHeight, gravity)
     own = CurvatureMat(**{**material.dict(), 'id': -1, 'label': '', 'density': density})
     O.materials.append(own)
-    body = utils.sphere((0, 0, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
+    body = utils.sphere((*place, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
     body.state.vel = Vector3(0, 0, -startSpeed)
     return O.bodies.append(body)
 
@@ -75,13 +76,13 @@ def speedAt(height, speed, dropHeight, gravity):
     return math.sqrt(squared)
 
 
-def _topBeneath(radius):
+def _topBeneath(radius, place):
     """Function that gives the upper end [m] of a particle's bounding sphere, None if it is out of the way."""
     def top(bodyId):
         body = O.bodies[bodyId]
         reach = getattr(body.shape, 'radius', None) or body.shape.boundingRadius()
         x, y, z = body.state.pos
-        return z + reach if math.hypot(x, y) < radius + reach else None
+        return z + reach if math.hypot(x - place[0], y - place[1]) < radius + reach else None
     return top
 
 

@@ -92,6 +92,8 @@ PARAMETERS = (
     Parameter('thicknessTolerance', 0.03, '', _fraction, 'the bed is poured again with another number of particles until its thickness is '
               'within this part of the one aimed at; not where particles is given', BED),
     Parameter('maxSettlingTime', 3.0, 's', checks.positive, 'simulated time after which pouring ends in any case', BED),
+    Parameter('impactorX', 0.0, 'm', checks.finite, 'where it falls: distance from the container\'s axis along x', IMPACT),
+    Parameter('impactorY', 0.0, 'm', checks.finite, 'the same along y', IMPACT),
     Parameter('baseYoung', None, 'Pa', _optional(checks.positive), 'Young\'s modulus of the base in the impact, instead of young', IMPACT),
     Parameter('overlapLimit', LAW.overlapLimit, '', _share, 'bound of the curvatures in the impact, see '
               'Law2_ScGeom_CurvaturePhys_HertzMindlin', IMPACT),
@@ -124,9 +126,7 @@ def checked(values):
     shape = shapeOf(result)
     checkCylinder(result['containerDiameter'] / 2, result['containerHeight'],
                   (1 + result['radiusSpread']) * shape.boundingRadius)
-    if result['impactorDiameter'] > result['containerDiameter']:
-        raise ValueError(f'impactorDiameter = {result["impactorDiameter"]!r}: larger than the container '
-                         f'({result["containerDiameter"]!r} m)')
+    _checkPlace(result)
     _checkCapacity(result, shape)
     _checkDrop(result, shape)
     _checkTimeStep(result)
@@ -161,6 +161,16 @@ def _checkCapacity(parameters, shape):
         name = 'thickness' if parameters['particles'] is None else 'particles'
         raise ValueError(f'{name} = {parameters[name]!r}: overfull container; {count} particles make a bed of '
                          f'{bed:.4g} m, containerHeight is {parameters["containerHeight"]!r} m')
+
+
+def _checkPlace(parameters):
+    """The impactor has to fall into the container."""
+    x, y, diameter, container = (parameters[name] for name in ('impactorX', 'impactorY', 'impactorDiameter', 'containerDiameter'))
+    if diameter > container:
+        raise ValueError(f'impactorDiameter = {diameter!r}: larger than the container ({container!r} m)')
+    if math.hypot(x, y) + diameter / 2 > container / 2:
+        name = 'impactorX' if abs(x) > abs(y) else 'impactorY'
+        raise ValueError(f'{name} = {parameters[name]!r}: the impactor ({diameter!r} m) would meet the wall of the container ({container!r} m)')
 
 
 def _checkDrop(parameters, shape):

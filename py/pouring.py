@@ -6,8 +6,10 @@ from yade.wrapper import CurvatureMat
 
 from .container import cylinderContainer
 from .engines import criticalTimeStep, superquadricEngines
-from .filling import DEEP_FRACTION, rainFilling
+from .filling import DENSEST, rainFilling
 from .parameters import materialOf, shapeOf
+
+DENSE = 0.99 * DENSEST  # packing fraction that a bed which does not fit is told by
 
 
 def rain(parameters, count):
@@ -23,8 +25,9 @@ def rain(parameters, count):
     rng = random.Random(f'sizes {p["seed"]}')  # another sequence than the one that places the particles
     shapes = [shape.scaled(1 + p['radiusSpread'] * (2 * rng.random() - 1)) if p['radiusSpread'] else shape for _ in range(count)]
     container = cylinderContainer(p['containerDiameter'] / 2, p['containerHeight'], material, shape.boundingRadius)
-    filled = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], p['solidFraction'] or DEEP_FRACTION, p['rainGap'],
-                         p['rainSideways'])
+    # That the bed fits has been checked with the fraction that is expected (`parameters.checked`). A bed that is poured again because
+    # that was wrong must not be refused for it.
+    filled = rainFilling(shapes, container, material, p['seed'], p['rainSpeed'], DENSE, p['rainGap'], p['rainSideways'])
     O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
     O.dt = p['timeStepFraction'] * criticalTimeStep()
     return filled

@@ -16,7 +16,8 @@ def write(run):
     after = Snapshot.ofBodies(run.ids)
     after.save(run.path(AFTER))
     content = summary(run)
-    _pictures(run, after)
+    if run.pictures:
+        _pictures(run, after)
     results.writeJson(run.path(SUMMARY), content)
     return content
 

@@ -44,6 +44,12 @@ def readJson(path):
         return json.load(file)
 
 
+def flush(path):
+    """See to it that the file is on the disk, also after a power cut, before another one says that it is there."""
+    with open(path, 'rb') as file:
+        os.fsync(file.fileno())
+
+
 class _Replacing:
     """A text file that takes the place of `path` only when it has been written completely."""
 
@@ -55,6 +61,9 @@ class _Replacing:
         return self.file
 
     def __exit__(self, failed, *_):
+        if not failed:
+            self.file.flush()
+            os.fsync(self.file.fileno())
         self.file.close()
         if failed:
             os.remove(self.partial)

@@ -9,7 +9,7 @@ from collections import Counter
 from yade import O
 from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import checkpoint, report, results
+from . import checkpoint, finishedbed, report, results
 from .bedgeometry import measureBed
 from .container import Container, setHeight
 from .engines import engine, solverCounters
@@ -21,7 +21,6 @@ from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
-BED_SCENE, BED = 'bed.yade.gz', 'bed.json'  # a bed at rest, for any number of impacts
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
 SWELLING = 0.8      # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
@@ -31,6 +30,7 @@ class ImpactRun:
     """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
     :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
+    :ivar pictures: whether to draw them at the end (3 s)
     """
 
     STAGES = ('pour', 'stiffen', 'rest', 'measure', 'prepare', 'static', 'impact', 'report')
@@ -39,6 +39,7 @@ class ImpactRun:
         self.output, self.state, self.stream = output, state, stream
         self.parameters = state['parameters']
         self.summary = self.recorder = None
+        self.pictures = True
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -57,30 +58,35 @@ class ImpactRun:
         """Take a finished bed (the folder `bed`, see `run`) instead of pouring one; otherwise like `begin`.
 
         :param parameters: where they belong to the bed, they must be its own
-        :raises ValueError: there is no bed, or another one
+        :raises ValueError: there is no bed, a damaged one, or another one
         """
-        statePath = os.path.join(bed, BED)
-        if not os.path.exists(statePath):
-            raise ValueError(f'bed = {bed!r}: there is no finished bed in that folder ({BED})')
-        state = results.readJson(statePath)
+        state = finishedbed.read(bed)
         parameters = checked({**state['parameters'], **parameters})
         wanted, own = bedPart(parameters), bedPart(state['parameters'])
         for name, value in wanted.items():
             if value != own[name]:
                 raise ValueError(f'{name} = {value!r}: the bed in {bed!r} was poured with {own[name]!r}')
+        if os.path.realpath(output) == os.path.realpath(bed):
+            raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
+        cls._checkFolder(output)
+        finishedbed.load(bed)
         run = cls._inFolder(output, {**state, 'parameters': parameters, 'seconds': 0.0}, stream)
         shutil.copyfile(os.path.join(bed, report.BEFORE), run.path(report.BEFORE))
-        O.load(os.path.join(bed, BED_SCENE))
         return run
+
+    @staticmethod
+    def _checkFolder(output):
+        if checkpoint.exists(output):
+            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
 
     @classmethod
     def _inFolder(cls, output, state, stream):
-        if checkpoint.exists(output):
-            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
+        cls._checkFolder(output)
         os.makedirs(output, exist_ok=True)
         checkpoint.remove(output)
         run = cls(output, state, stream)
-        run._remove((*report.FILES, BED, BED_SCENE))
+        # First those that say that the others are complete.
+        run._remove((finishedbed.STATE, report.SUMMARY, finishedbed.SCENE, *report.FILES))
         return run
 
     @staticmethod
@@ -131,9 +137,8 @@ class ImpactRun:
     def saveBed(self):
         """Write the bed at rest (stage `prepare`) for `onBed`; the run is done then."""
         self._count()
-        O.save(self.path(BED_SCENE))
         self.state['bed']['wallSeconds'] = self.state['seconds']
-        results.writeJson(self.path(BED), self.state)
+        finishedbed.save(self.output, self.state)
         checkpoint.remove(self.output)
 
     def save(self):
@@ -245,8 +250,8 @@ class ImpactRun:
 
     def _addImpactor(self):
         p = self.parameters
-        impactor = addImpactor(p['impactorDiameter'], p['impactorDensity'], O.materials['particles'], p['speed'],
-                               p['dropHeight'], self.state['bed']['thickness'], self.ids, p['gravity'])
+        impactor = addImpactor(p['impactorDiameter'], p['impactorDensity'], O.materials['particles'], p['speed'], p['dropHeight'],
+                               self.state['bed']['thickness'], self.ids, p['gravity'], (p['impactorX'], p['impactorY']))
         self.state['impactor'] = impactor
         self.state['impactorStart'] = list(O.bodies[impactor].state.pos)
         O.trackEnergy = True

@@ -123,12 +123,12 @@ def prepare(options):
         os.makedirs(folder, exist_ok=True)
         lock = lockedFile(folder)
         plans.write(plan, folder)
+        # With our lock in hand, the one of snakemake is that of a snakemake that was killed.
+        shutil.rmtree(os.path.join(folder, '.snakemake', 'locks'), ignore_errors=True)
+        for sentence in removeDamaged(plan, folder):
+            print(f'study.py: {sentence}', file=sys.stderr)
     except OSError as error:
-        raise ValueError(f'output = {options.output!r}: {error.strerror}') from None
-    # With our lock in hand, the one of snakemake is that of a snakemake that was killed.
-    shutil.rmtree(os.path.join(folder, '.snakemake', 'locks'), ignore_errors=True)
-    for sentence in removeDamaged(plan, folder):
-        print(f'study.py: {sentence}', file=sys.stderr)
+        raise ValueError(f'output = {options.output!r}: {error.strerror} ({error.filename})') from None
     return plan, folder, lock
 
 

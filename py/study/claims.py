@@ -13,6 +13,7 @@ from .saturation import FEWEST, fitSaturation
 from .statistics import holm, leastP, trend
 
 ALPHA = 0.05
+WIDEST = 2.0    # an interval of the bend that spans more than this factor supports no claim where it is
 
 Part = namedtuple('Part', 'name verdict text numbers')
 Part.__doc__ = """The verdict on a part of a finding: name of the series or pair, verdict, text, numbers for machines."""
@@ -84,7 +85,7 @@ def _saturationPart(data, finding, name):
                     f'({pText(2 * min(both.rises, both.falls))}, {_runs(samples)}): there is no bend to be found.', {})
     earlier, later = (float((1 + (side).sum()) / (1 + len(fit.replicates)))
                       for side in (fit.replicates >= finding['hc'], fit.replicates <= finding['hc']))
-    inside = fit.resolved and fit.low <= finding['hc'] <= fit.high
+    inside = fit.resolved and fit.low <= finding['hc'] <= fit.high <= WIDEST * fit.low
     decided = verdict(0 if inside else 1, min(earlier, later), len(seriesOf(data, finding)))
     return Part(name, decided, _saturationText(data, finding, samples, measure, fit),
                 {'hc': fit.bend, 'low': fit.low, 'high': fit.high, 'shape': fit.shape, 'resolved': fit.resolved, 'misfit': fit.misfit})

@@ -1,7 +1,8 @@
 """The tests of differences between series, and of their absence; levels and parts as in `claims`."""
 import math
-from itertools import combinations, pairwise
+from itertools import combinations, pairwise, product
 
+import pandas
 from scipy import stats
 
 from .claims import ALPHA, Part, smallest, verdict
@@ -52,7 +53,8 @@ def _comparison(data, finding, high, low, parts, everywhere):
 
 def agree(data, finding):
     """Supported if the mean difference over all x lies within the margin by two one-sided tests and no x is significantly outside;
-    contradicted if it, or a single x (after Holm), is significantly outside."""
+    contradicted if it, or a single x (after Holm), is significantly outside. Differences that cancel in the mean are no agreement: at no x
+    may that of the means be beyond the margin."""
     first, second = finding['series']
     title, share = f'{first} and {second}', finding.get('margin', MARGIN)
     pairs = _shared(data, finding, first, second)
@@ -69,36 +71,49 @@ def agree(data, finding):
             f'{data.xName} (no difference: {pText(total.twoSided())}); within {100 * share:g} %: {pText(within)}')
     text += f'; clearly farther apart at {_list(beyond)}' if beyond else ''
     widest = max(single, key=lambda item: abs(item[1].estimate))
+    if decided == 'supported' and abs(widest[1].estimate) > margin:
+        decided = 'undecided'
     text += f'; the largest single difference is {measure.text(widest[1])} at {xText(widest[0])}; {_count(pairs)} runs.'
     return [Part(title, decided, text, {'margin': share, 'pWithin': within, 'overall': measure.numbers(total),
                                         'at': {xText(x): measure.numbers(one) for x, one in single}})]
 
 
 def noEffect(data, finding):
-    """Supported if all differences between points lie within the margin, by two one-sided tests each; all must, so none is
-    corrected. Contradicted if one is significantly (after Holm) outside."""
+    """Supported if all differences (between all points; of variants, to the first one of the series) lie within the margin, by two
+    one-sided tests each; all must, so none is corrected, and no planned point may lack runs. Contradicted if one is significantly
+    (after Holm) outside."""
     series, share = finding.get('series', data.series), finding.get('margin', MARGIN)
     points = {(name, x): sample for name in series for x, sample in data.samples(finding['y'], name, finding).items()}
-    if len(points) < 2:
+    compared = _compared(data, series, points)
+    if not compared:
         return [Part('', 'undecided', f'{len(points)} points with runs are too few.', {})]
     measure = Measure(finding['y'], list(points.values()))
     margin = measure.margin(share)
-    pairs = [(a, b, measure.contrast([points[b], points[a]], [1, -1], pooled=True)) for a, b in combinations(points, 2)]
+    pairs = [(a, b, measure.contrast([points[b], points[a]], [1, -1], pooled=True)) for a, b in compared]
     a, b, widest = max(pairs, key=lambda pair: abs(pair[2].estimate))
-    within = max(_within(pair[2], margin) for pair in pairs)
+    within = max((_within(pair[2], margin) for pair in pairs), key=lambda p: math.inf if math.isnan(p) else p)   # one nan is nan
     decided = _equivalence(within, smallest(holm([_outside(pair[2], margin) for pair in pairs])))
     anyEffect = _variance(measure, points)
     runs = sum(map(len, points.values()))
     text = (f'the largest of {len(pairs)} differences in {QUANTITIES[finding["y"]].name}, from {_pointName(a)} to {_pointName(b)}, is '
             f'{measure.text(widest)}; all within {100 * share:g} %: {pText(within)}; any effect at all (analysis of variance): {pText(anyEffect)}; '
-            f'{runs} runs.')
+            f'{runs} runs{", compared in pairs where they are on the same bed" if measure.shared else ""}.')
     if len({x for _, x in points}) == 1:
         text += f' All are at one {data.xName}: whether that matters is not seen.'
-    missing = [name for name in series if not any(name == point[0] for point in points)]
+    missing = [point for point in product(series, data.plannedIn(finding)) if point not in points]
     if missing:
-        decided, text = 'undecided' if decided == 'supported' else decided, f'{text} There are no runs of {_list(missing)}.'
+        decided = 'undecided' if decided == 'supported' else decided
+        text += f' There are no runs of {", ".join(map(_pointName, missing))}.'
     return [Part('', decided, text, {'margin': share, 'pWithin': _number(within), 'pAnyEffect': _number(anyEffect),
                                      'largest': measure.numbers(widest)})]
+
+
+def _compared(data, series, points):
+    """The pairs of points that `noEffect` compares."""
+    if data.numeric:
+        return list(combinations(points, 2))
+    groups = [[point for point in points if point[0] == name] for name in series]
+    return [(group[0], other) for group in groups for other in group[1:]]
 
 
 def _shared(data, finding, first, second):
@@ -131,11 +146,23 @@ def _equivalence(within, outside):
 
 
 def _variance(measure, points):
-    """p value of an analysis of variance over the points; nan without scatter."""
+    """p value of an analysis of variance over the points, with the beds as blocks where points share them; nan without scatter."""
     samples = [measure.of(sample) for sample in points.values()]
+    if measure.shared:
+        return _blockVariance(pandas.DataFrame(samples).dropna(axis=1).to_numpy())
     if sum(map(len, samples)) <= len(samples) or not any(sample.std() > 0 for sample in samples):
         return math.nan
     return float(stats.f_oneway(*samples).pvalue)
+
+
+def _blockVariance(values):
+    """p value of 'all rows of `values` (points, beds) are alike' with the columns as blocks; nan if no two beds are common to all."""
+    rows, columns = values.shape
+    if columns < 2:
+        return math.nan
+    effects = values.mean(axis=1) - values.mean()
+    rest = ((values - values.mean(axis=0) - effects[:, None]) ** 2).sum() / (columns - 1)
+    return float(stats.f.sf(columns * (effects ** 2).sum() / rest, rows - 1, (rows - 1) * (columns - 1))) if rest > 0 else math.nan
 
 
 def _number(value):

@@ -72,9 +72,15 @@ def drawCurves(data, series, values, panels, records):
 
 
 def _load(rows, records):
-    """[(times [ms], forces [N])] of a point's runs."""
-    runs = [readRecord(os.path.join(records, run, 'force.csv'), static) for run, static in zip(rows['run'], rows['staticForce'])]
-    return [(1e3 * time, force) for time, force in runs]
+    """[(times [ms], forces [N])] of a point's beds, each the mean over the places that were hit."""
+    return [_meanOver([readRecord(os.path.join(records, run, 'force.csv'), static) for run, static in zip(bed['run'], bed['staticForce'])])
+            for _, bed in rows.groupby('bed', sort=False)]
+
+
+def _meanOver(runs):
+    """One record for several of the same bed, on the times of the shortest."""
+    times = min((time for time, _ in runs), key=lambda time: time[-1])
+    return 1e3 * times, numpy.mean([numpy.interp(times, *run) for run in runs], axis=0)
 
 
 def _unit(curves):

@@ -172,7 +172,8 @@ def _drawVariant(axes, data, y, name, x, row, colour):
 
 
 def _differenceText(data, y, name, first, x):
-    """'+12.3 [-4.5, 29.1] N': the difference of a variant's mean to the first one's, with its interval."""
+    """'+12.3 [-4.5, 29.1] N': the difference of a variant's mean to the first one's, with its interval; bed by bed where both are on the
+    same beds."""
     difference = contrast([data.sample(y, name, first), data.sample(y, name, x)], [-1, 1])
     unit, factor = QUANTITIES[y].unit, QUANTITIES[y].factor
     middle = signed(factor * difference.estimate)

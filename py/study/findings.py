@@ -15,6 +15,7 @@ fewest: values of x that it needs; axis: whether x must be numbers.
 
 COMMON = ('test', 'y', 'paper')
 RANGE = ('from', 'upTo')
+NUMBERS = (*RANGE, 'hc', 'x', 'margin')
 TESTS = {
     'falls': Test(claims.falls, (), ('series', *RANGE), 2, True),
     'rises': Test(claims.rises, (), ('series', *RANGE), 2, True),
@@ -29,7 +30,7 @@ STRENGTH = ('contradicted', 'undecided', 'supported')   # a finding is as strong
 
 
 def checkFinding(finding, group):
-    """`finding` if it can be tested in `group`: {'series': [names], 'xName': name, 'values': [of x]}.
+    """`finding`, its numbers as such, if it can be tested in `group`: {'series': [names], 'xName': name, 'values': [of x]}.
 
     :raises ValueError: unknown test, key, quantity or series, a missing key, a value that cannot be
     """
@@ -53,7 +54,7 @@ def checkFinding(finding, group):
     _checkX(finding, group, test)
     if 'margin' in finding:
         checks.above('margin', finding['margin'], 0, 1)
-    return finding
+    return {**finding, **{key: checks.finite(key, finding[key]) for key in NUMBERS if key in finding}}
 
 
 def _checkSeries(finding, group):

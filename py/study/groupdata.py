@@ -1,11 +1,12 @@
 """The finished runs of one group of a plan, as findings and figures want them."""
+import numpy
 import pandas
 
 from .quantities import allNumbers, xAxisLabel
 
 
 class GroupData:
-    """A group's points joined with the table of results; runs that are not finished are left out.
+    """A group's points joined with the table of results; beds of which not all runs of a point are finished are left out.
 
     name, title, xName, xLabel: of the group; series: names as planned; planned: number of points planned; runs: DataFrame,
     one row per finished point, with the columns series, x, seed and those of the table.
@@ -17,7 +18,7 @@ class GroupData:
         self.xLabel, self.series, self.planned = xAxisLabel(group), list(group['series']), len(points)
         self.plannedValues = _ordered(points['x'])
         self.numeric = allNumbers(self.plannedValues)
-        self.runs = points.merge(table.drop(columns='seed'), on='run', how='inner')
+        self.runs = _complete(points.merge(table.drop(columns='seed'), on='run', how='left'))
 
     @property
     def values(self):
@@ -27,18 +28,29 @@ class GroupData:
 
     def rows(self, series, x):
         """The finished runs of a point, a DataFrame."""
-        return self.runs[[s == series and value == x for s, value in zip(self.runs['series'], self.runs['x'])]]
+        return self.runs[numpy.array([s == series and value == x for s, value in zip(self.runs['series'], self.runs['x'])], dtype=bool)]
 
     def sample(self, y, series, x):
-        """Values of the quantity `y` of a point's runs, an array; runs that have none are left out."""
-        return self.rows(series, x)[y].dropna().to_numpy(dtype=float)
+        """Values of the quantity `y` of a point, a Series over its beds: means over the places that were hit on a bed, for these
+        are no more independent than the bed is. Runs that have none are left out."""
+        rows = self.rows(series, x)
+        return rows[y].astype(float).groupby(rows['bed'], sort=False).mean().dropna()
 
     def samples(self, y, series, finding):
         """{x: values of `y`} of a series, for the x from `from` to `upTo` of a finding where there are any."""
-        low, high = finding.get('from'), finding.get('upTo')
-        inside = [x for x in self.values if (low is None or x >= low) and (high is None or x <= high)]
-        samples = {x: self.sample(y, series, x) for x in inside}
+        samples = {x: self.sample(y, series, x) for x in self.plannedIn(finding)}
         return {x: sample for x, sample in samples.items() if len(sample)}
+
+    def plannedIn(self, finding):
+        """The planned x from `from` to `upTo` of a finding."""
+        low, high = finding.get('from'), finding.get('upTo')
+        return [x for x in self.plannedValues if (low is None or x >= low) and (high is None or x <= high)]
+
+
+def _complete(runs):
+    """Those of the planned `runs` whose bed was hit on all its places: means over some of them only would not compare."""
+    finished = runs['peak'].notna().groupby([runs['series'], runs['x'], runs['seed']]).transform('all')
+    return runs[finished.astype(bool)].reset_index(drop=True)
 
 
 def _ordered(column):

@@ -4,7 +4,7 @@ import math
 import numpy
 
 from .quantities import QUANTITIES, inUnit, signed
-from .statistics import contrast
+from .statistics import contrast, shareBeds
 
 
 class Measure:
@@ -18,15 +18,18 @@ class Measure:
         values = numpy.concatenate([numpy.asarray(sample, dtype=float) for sample in samples]) if samples else numpy.empty(0)
         self.log = bool(len(values) and values.min() > 0)
         self.size = float(numpy.abs(values).mean()) if len(values) else math.nan
-        self.all = [self.of(sample) for sample in samples]
+        self.all, self.shared = [self.of(sample) for sample in samples], shareBeds(samples)
 
     def of(self, sample):
         """The values that are compared."""
-        return numpy.log(sample) if self.log else numpy.asarray(sample, dtype=float)
+        return numpy.log(sample) if self.log else sample
 
     def contrast(self, samples, weights, pooled=False):
-        """`Contrast` of samples; with the scatter common to all of the finding if asked for, or if a sample is a single run."""
-        pooled = pooled or min(map(len, samples)) < 2
+        """`Contrast` of samples; with the scatter common to all of the finding if asked for, or if a sample is a single run.
+
+        Not so where points share beds: differences on the same beds scatter less than runs do, and some less than others.
+        """
+        pooled = (pooled or min(map(len, samples)) < 2) and not self.shared
         return contrast([self.of(sample) for sample in samples], weights, pool=self.all if pooled else None)
 
     def margin(self, share):

@@ -11,12 +11,14 @@ from .statistics import meanInterval
 
 COLUMNS = ('peak', 'C0', 'duration', 'H')   # of the table of points; the first one with its interval
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
-CONCERNS = (('atRest', False, 'beds were not at rest at the impact'), ('over', False, 'impacts were not over when the record ended'))
+CONCERNS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
 METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
 Pictures have bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
-of mean logarithms, so that changes are ratios; where a point has a single run, the scatter common to all points of the finding
-is taken. "No difference" is tested against a margin that is stated. A finding is supported or contradicted if its test, or the opposite's, is
-significant at 5 % (two-sided); otherwise the data leave it undecided. It is as strong as its weakest part."""
+of mean logarithms, so that changes are ratios; where points are on the same beds, Student's of the differences bed by bed; where a point has a
+single run on a bed of its own, the scatter common to all points of the finding is taken. "No difference" is tested against a margin that is
+stated. A finding is supported or contradicted if its test, or the opposite's, is significant at 5 % (two-sided); otherwise the data leave it
+undecided. A place from which on nothing changes cannot be proved: it is supported if its 95 % interval holds it and ends before the largest x,
+so mind how wide that is. A finding is as strong as its weakest part."""
 
 
 def drawStudy(plan, table, records, output):
@@ -58,8 +60,16 @@ def _header(plan, table):
             'cpuHours': _cpuHours(done),
             'versions': {name: sorted(set(done[column].astype(str))) for column, name in VERSIONS.items()},
             'concerns': [f'{int((done[column] == bad).sum())} {text}' for column, bad, text in CONCERNS if (done[column] == bad).any()]
+            + _offThickness(done)
             + ([f'{int((done["uncertified"] > 0).sum())} runs have contact solutions without a certificate']
                if (done['uncertified'] > 0).any() else [])}
+
+
+def _offThickness(done):
+    """A sentence on the beds that are not as thick as they should be, if there are any. Those of a given number of particles may be."""
+    aimed = done[done['particles'].isna()].drop_duplicates('bed')
+    off = (aimed['H'] / aimed['thickness'] - 1).abs() > aimed['thicknessTolerance']
+    return [f'{int(off.sum())} beds are thicker or thinner than thicknessTolerance allows'] if off.any() else []
 
 
 def _cpuHours(done):
@@ -88,7 +98,7 @@ def _points(data):
     points = []
     for name in data.series:
         for x in data.values:
-            number = len(data.rows(name, x))
+            number = data.rows(name, x)['bed'].nunique()
             if number:
                 point = {'series': name, 'x': x, 'beds': number}
                 for y in COLUMNS:

@@ -1,6 +1,7 @@
 """From a study file to the plan of its runs: every bed and every impact once, whichever groups ask for them."""
 import hashlib
 import json
+import math
 import os
 
 from ..bodies import particleShape
@@ -9,6 +10,7 @@ from ..results import writeJson
 from .studyfile import checkedSeeds
 
 PLAN = 'plan.json'
+RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
 SUPERQUADRICS = {(2.0, 2.0): ('ellipsoid', 'ellipsoid'), (8.0, 2.0): ('cylinder', 'cylinder'), (8.0, 8.0): ('cube', 'block')}
 
 
@@ -24,8 +26,8 @@ def planOf(study, seeds=None):
     plan = {'title': study['title'], 'validations': study['validations'], 'runs': {}, 'beds': {}, 'groups': []}
     seeds = None if seeds is None else checkedSeeds('seeds', list(seeds))
     for group in study['groups']:
-        points = [point for series in group['series'] for x, values in _xPoints(group, series)
-                  for point in _runsOf(plan, study, group, series, x, values, seeds or group['seeds'])]
+        points = [point for series in group['series'] for (x, values), places in zip(_xPoints(group, series), group['places'])
+                  for point in _runsOf(plan, study, group, series, x, values, places, seeds or group['seeds'])]
         plan['groups'].append({'name': group['name'], 'title': group['title'], 'xName': _xName(group), 'xLabel': group['xLabel'],
                                'series': list(group['series']), 'figures': group['figures'], 'findings': group['findings'],
                                'points': points})
@@ -66,15 +68,29 @@ def _xPoints(group, series):
     return [(x, {name: x for name in group['series'][series][1]}) for x in group['x'][1]]
 
 
-def _runsOf(plan, study, group, series, x, values, seeds):
-    """Add the runs of one point to the plan; yield its points, one a seed."""
+def _runsOf(plan, study, group, series, x, values, number, seeds):
+    """Add the runs of one point to the plan; yield its points, one a seed and one of `number` places."""
     try:
         parameters = standard(checked({**study['base'], **group['base'], **group['series'][series][0], **values}))
+        places = placesOf(parameters, number)
+        for place in places:
+            checked({**parameters, **place})
     except ValueError as error:
         place = f'series {series!r}, ' if series else ''
         raise ValueError(f'groups.{group["name"]}, {place}{_xName(group)} = {x!r}: {error}') from None
     for seed in seeds:
-        yield {'series': series, 'x': x, 'seed': seed, 'run': _addRun(plan, {**parameters, 'seed': seed})}
+        for index, place in enumerate(places):
+            yield {'series': series, 'x': x, 'seed': seed, 'place': index, 'run': _addRun(plan, {**parameters, **place, 'seed': seed})}
+
+
+def placesOf(parameters, number):
+    """The places on the bed where the impactor falls: the one that the `parameters` say, the others on a ring about it.
+
+    What a bed does to a blow depends on the few particles that it meets, and an impact costs a tenth of what its bed does.
+    """
+    x, y, ring = parameters['impactorX'], parameters['impactorY'], RING * parameters['radius']
+    angles = [2 * math.pi * k / (number - 1) for k in range(number - 1)]
+    return [{}] + [{'impactorX': round(x + ring * math.cos(a), 9), 'impactorY': round(y + ring * math.sin(a), 9)} for a in angles]
 
 
 def _addRun(plan, parameters):

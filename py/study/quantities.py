@@ -38,7 +38,7 @@ X_LABELS = {'thickness': 'thickness $H$ [m]', 'aspect': 'aspect ratio $c/a$', 'n
 
 def checkQuantity(name, value):
     """`value` if it is a quantity's name."""
-    if value not in QUANTITIES:
+    if not isinstance(value, str) or value not in QUANTITIES:
         raise ValueError(f'{name} = {value!r}: must be one of {", ".join(QUANTITIES)}')
     return value
 

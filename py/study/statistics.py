@@ -1,11 +1,14 @@
 """Statistics of few and scattered runs: means and their differences with Student intervals, trends by rank.
 
-Intervals are two-sided. Runs of different points are independent: each bed comes from its own seed and packing is chaotic.
+Intervals are two-sided. Runs on different beds are independent: each bed comes from its own seed and packing is chaotic. Runs of several
+points on the same beds are not: what the beds have in common drops out of differences that are taken bed by bed. So a sample may be
+a pandas Series, whose index says on which bed each value was found; a plain sequence shares its beds with no other.
 """
 import math
 from collections import namedtuple
 
 import numpy
+import pandas
 from scipy import stats
 
 LEVEL = 0.95
@@ -58,11 +61,39 @@ def pooledVariance(samples):
     return sum(float(((sample - numpy.mean(sample)) ** 2).sum()) for sample in map(numpy.asarray, samples)) / dof, dof
 
 
-def contrast(samples, weights, level=LEVEL, pool=None):
-    """`Contrast` sum(weights * means of samples); with the weights (1, -1) Welch's t interval of a difference.
+def shareBeds(samples):
+    """Whether two of the samples have values from the same bed."""
+    beds = [bed for sample in samples if isinstance(sample, pandas.Series) for bed in sample.index]
+    return len(set(beds)) < len(beds)
 
-    :param pool: samples from which one common variance is taken, instead of each sample's own (Welch and Satterthwaite)
+
+def byBed(samples, weights):
+    """(samples, weights) of the same sum in which no two samples share a bed: those that do are one sample, of weighted sums bed by bed.
+
+    Beds that one of them lacks are left out. Samples that share beds in a chain, without a bed common to all, are left as they are.
     """
+    clusters = []
+    for one in zip(samples, weights):
+        linked = [cluster for cluster in clusters if any(shareBeds([one[0], other]) for other, _ in cluster)]
+        clusters = [cluster for cluster in clusters if not any(cluster is link for link in linked)] + [[*sum(linked, []), one]]
+    result = []
+    for cluster in clusters:
+        common = set.intersection(*(set(sample.index) for sample, _ in cluster)) if len(cluster) > 1 else ()
+        if common:
+            beds = [bed for bed in cluster[0][0].index if bed in common]
+            cluster = [(sum(weight * sample[beds] for sample, weight in cluster), 1.0)]
+        result += cluster
+    return tuple(zip(*result))
+
+
+def contrast(samples, weights, level=LEVEL, pool=None):
+    """`Contrast` sum(weights * means of samples); with the weights (1, -1) Welch's t interval of a difference, or that of the paired
+    differences if both come from the same beds.
+
+    :param pool: samples from which one common variance is taken, instead of each sample's own (Welch and Satterthwaite); not for
+        samples that share beds
+    """
+    samples, weights = byBed(samples, weights)
     samples = [numpy.asarray(sample, dtype=float) for sample in samples]
     estimate = float(sum(weight * sample.mean() for weight, sample in zip(weights, samples)))
     number = sum(map(len, samples))

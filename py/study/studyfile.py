@@ -11,8 +11,8 @@ from ..parameters import defaults
 from .figures import checkFigure
 from .findings import checkFinding
 
-STUDY_KEYS = ('title', 'base', 'seeds', 'groups', 'validations')
-GROUP_KEYS = ('title', 'base', 'x', 'variants', 'xLabel', 'series', 'seeds', 'figures', 'findings')
+STUDY_KEYS = ('title', 'base', 'seeds', 'places', 'groups', 'validations')
+GROUP_KEYS = ('title', 'base', 'x', 'variants', 'xLabel', 'series', 'seeds', 'places', 'figures', 'findings')
 NAME = re.compile(r'[A-Za-z0-9][A-Za-z0-9_-]*')  # of a group: files are named after it
 
 
@@ -54,11 +54,11 @@ def checkedStudy(content):
     :raises ValueError: naming the place and what is wrong there
     """
     study = _keys('study file', content, STUDY_KEYS, ('title', 'groups'))
-    seeds = checkedSeeds('seeds', study.get('seeds', [1]))
+    seeds, places = checkedSeeds('seeds', study.get('seeds', [1])), _place('places', study.get('places', 1))
     groups = _mapping('groups', study['groups'])
     result = {'title': _text('title', study['title']), 'base': _parameters('base', study.get('base', {})), 'seeds': seeds,
               'validations': _validations(study.get('validations', {})),
-              'groups': [_group(name, group, seeds) for name, group in groups.items()]}
+              'groups': [_group(name, group, seeds, places) for name, group in groups.items()]}
     _checkFigureNames(result['groups'])
     return result
 
@@ -69,6 +69,20 @@ def checkedSeeds(place, values):
     return _different(place, seeds)
 
 
+def _place(key, value):
+    """On how many places of a bed the impactor falls."""
+    return checks.wholeNumber(key, _number(key, value), 1)
+
+
+def _places(key, value, count):
+    """The same for each of `count` x, from one number or one for each."""
+    if not isinstance(value, list):
+        return [_place(key, value)] * count
+    if len(value) != count:
+        raise ValueError(f'{key} = {value!r}: must be one number, or one for each of the {count} x')
+    return [_place(key, one) for one in value]
+
+
 def _validations(content):
     flags = _keys('validations', content, ('cylinderOnPlane',))
     for name, flag in flags.items():
@@ -77,7 +91,7 @@ def _validations(content):
     return flags
 
 
-def _group(name, content, seeds):
+def _group(name, content, seeds, places):
     place = f'groups.{_name("groups", name)}'
     group = _keys(place, content, GROUP_KEYS)
     if ('x' in group) == ('variants' in group):
@@ -91,7 +105,8 @@ def _group(name, content, seeds):
         xName = 'variant'
         result['variants'] = {_text(f'{place}.variants', key): _parameters(f'{place}.variants.{key}', values)
                               for key, values in _mapping(f'{place}.variants', group['variants']).items()}
-    result['xLabel'] = _text(f'{place}.xLabel', group.get('xLabel', xName))
+    result['xLabel'] = _text(f'{place}.xLabel', group['xLabel']) if 'xLabel' in group else None
+    result['places'] = _places(f'{place}.places', group.get('places', places), len(result['variants'] or result['x'][1]))
     result['series'] = _seriesOf(place, group, xName)
     shape = {'series': list(result['series']), 'xName': xName, 'values': list(result['variants'] or result['x'][1])}
     figures = _mapping(f'{place}.figures', group.get('figures', {}), mayBeEmpty=True)
@@ -144,7 +159,8 @@ def _oneSeries(place, content, xName, hasX):
         if xName not in defaults():
             raise ValueError(f'{place}: {xName} is no parameter; vary must say which parameters take its values')
         vary = [xName]
-    vary = _different(f'{place}.vary', list(_parameters(f'{place}.vary', dict.fromkeys(_list(f'{place}.vary', vary)))))
+    names = _different(f'{place}.vary', [_text(f'{place}.vary', name) for name in _list(f'{place}.vary', vary)])
+    vary = list(_parameters(f'{place}.vary', dict.fromkeys(names)))
     for name in vary:
         if name in parameters:
             raise ValueError(f'{place}.{name} = {parameters[name]!r}: {name} takes the values of x')
@@ -212,9 +228,8 @@ def _different(place, values):
 
 def _number(place, value):
     """`value` as a float, or int where it is one; YAML's true and false are none."""
-    if isinstance(value, bool):
-        raise ValueError(f'{place} = {value!r}: must be a number')
-    return value if isinstance(value, int) else checks.finite(place, value)
+    number = checks.finite(place, value)
+    return value if isinstance(value, int) else number
 
 
 def _text(place, value, mayBeEmpty=False):

@@ -28,13 +28,14 @@ def tableOf(plan, folder):
 def readSummary(path, parameters):
     """The complete summary in the file `path`, if it is one of a run with these `parameters`.
 
-    :raises ValueError: naming the file
+    :raises ValueError: it holds something else; naming the file
+    :raises OSError: it cannot be read, which says nothing about what it holds
     """
     try:
         summary = results.readJson(path)
         _measured(summary)
         given = summary['parameters']
-    except (OSError, ValueError, KeyError, TypeError) as error:
+    except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f'{path}: damaged ({type(error).__name__}: {error})') from None
     different = sorted(name for name in {*given, *parameters} if given.get(name) != parameters.get(name))
     if different:

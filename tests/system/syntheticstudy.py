@@ -8,26 +8,34 @@ import pandas
 FIXED = {'P0': 4671.0, 'lastTime': 4e-3, 'impulse': 2.0, 'bufferingRatio': 0.5, 'peakTime': 2e-3, 'number': 900, 'staticForce': 12.0,
          'weight': 11.6, 'pours': 1, 'surfaceSpeed': 5.558, 'atRest': True, 'over': True, 'solves': 1000, 'iterations': 9000, 'fallbacks': 0,
          'uncertified': 0, 'dtImpact': 3.5e-6, 'bedSeconds': 1800.0, 'impactSeconds': 900.0, 'threads': 1, 'versionYade': '2025.2',
-         'versionPlugin': '1.0', 'versionPython': '3.13.5', 'versionNumpy': '2.2.4', 'innerC0': float('nan')}
+         'versionPlugin': '1.0', 'versionPython': '3.13.5', 'versionNumpy': '2.2.4', 'innerC0': float('nan'),
+         'particles': float('nan'), 'thicknessTolerance': 0.03}
 
-COLUMNS = [*FIXED, 'run', 'bed', 'seed', 'peak', 'duration', 'H', 'C0']
+COLUMNS = [*FIXED, 'run', 'bed', 'seed', 'thickness', 'peak', 'duration', 'H', 'C0']
 
 
-def group(name, truth, x, series, seeds, xName='thickness', figures=None, findings=(), scatter=0.05, seed=1):
+def group(name, truth, x, series, seeds, xName='thickness', figures=None, findings=(), scatter=0.05, seed=1,
+          bedScatter=None):
     """A group of a plan, and the rows of its table.
 
-    :param truth: function (series, x) -> mean peak [N]; :param scatter: relative standard deviation of the peak
+    :param truth: function (series, x) -> mean peak [N]; :param scatter: relative standard deviation of the peak, or
+        a function x -> it
+    :param bedScatter: if given, all points of a seed are on the same bed, and beds have this standard deviation of their own
     """
     random = numpy.random.default_rng(seed)
     points, rows = [], []
+    common = {number: numpy.exp(bedScatter * random.standard_normal()) if bedScatter is not None else 1 for number in seeds}
     for label in series:
         for value in x:
             for number in seeds:
                 run = f'{name}-{label}-{value}-s{number}'.replace(' ', '')
                 points.append({'series': label, 'x': value, 'seed': number, 'run': run})
-                peak = truth(label, value) * numpy.exp(scatter * random.standard_normal())
-                rows.append({**FIXED, 'run': run, 'bed': run + 'b', 'seed': number, 'peak': peak, 'duration': 2e-3 * (4671 / peak) ** 0.3,
-                             'H': value if xName == 'thickness' else 0.025, 'C0': 0.65 + 0.005 * random.standard_normal()})
+                deviation = scatter(value) if callable(scatter) else scatter
+                peak = truth(label, value) * common[number] * numpy.exp(deviation * random.standard_normal())
+                bed = run + 'b' if bedScatter is None else f'{name}-s{number}'
+                rows.append({**FIXED, 'run': run, 'bed': bed, 'seed': number, 'peak': peak, 'duration': 2e-3 * (4671 / peak) ** 0.3,
+                             **dict.fromkeys(('thickness', 'H'), value if xName == 'thickness' else 0.025),
+                             'C0': 0.65 + 0.005 * random.standard_normal()})
     plan = {'name': name, 'title': name.capitalize(), 'xName': xName, 'xLabel': None, 'series': list(series), 'figures': figures or {},
             'findings': list(findings), 'points': points}
     return plan, rows

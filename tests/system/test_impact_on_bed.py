@@ -49,6 +49,17 @@ def test_impactsOnOneBedDiffer(bed, tmp_path):
     assert light['bed']['thickness'] == heavy['bed']['thickness']
 
 
+def test_placeOfTheImpact(bed, tmp_path):
+    """Above another place the impactor meets other particles; it has the same speed at the surface."""
+    middle, beside = impact(bed, tmp_path / 'middle'), impact(bed, tmp_path / 'beside', impactorX=0.012, impactorY=-0.01)
+    start = O.bodies[len(O.bodies) - 1].state.refPos
+    assert (start[0], start[1]) == (0.012, -0.01)
+    assert middle['impact']['peak'] != beside['impact']['peak'] and middle['bed']['staticForce'] == beside['bed']['staticForce']
+    assert middle['impactor'] == beside['impactor']
+    with pytest.raises(ValueError, match='impactorY = 0.03: the impactor .* would meet the wall'):
+        impact(bed, tmp_path / 'wall', impactorY=0.03)
+
+
 def test_theLawsBoundsReachTheLaw(bed, tmp_path):
     peaks = [impact(bed, tmp_path / str(i), **change)['impact']['peak']
              for i, change in enumerate(({}, {'overlapLimit': 0.3}, {'leverArms': False}))]
@@ -79,6 +90,46 @@ def test_anotherBedIsRefused(bed, tmp_path):
     assert os.listdir(tmp_path) == []
 
 
+@pytest.mark.parametrize('name, content, message', [
+    ('bed.json', b'', 'bed.json is damaged'), ('bed.json', b'{}', "bed.json is damaged, or of another version .KeyError: 'parameters'"),
+    ('bed.json', b'{"parameters": {"shape": "cube"}}', "bed.json is damaged, or of another version .KeyError: 'n1'"),
+    ('bed.json', b'[]', 'bed.json is damaged'),
+    ('bed.yade.gz', None, 'bed.yade.gz is missing'), ('before.npz', None, 'before.npz is missing'),
+    ('bed.yade.gz', b'scene', 'bed.yade.gz cannot be loaded')])
+def test_damagedBedsAreRefused(bed, tmp_path, name, content, message):
+    """In one line, and before the results of an earlier run in the output folder are removed."""
+    shutil.copytree(bed, tmp_path / 'bed')
+    (tmp_path / 'bed' / name).unlink()
+    if content is not None:
+        (tmp_path / 'bed' / name).write_bytes(content)
+    (tmp_path / 'impact').mkdir()
+    (tmp_path / 'impact' / 'summary.json').write_text('earlier')
+    with pytest.raises(ValueError, match=f'bed = .*: {message}') as error:
+        impact(tmp_path / 'bed', tmp_path / 'impact')
+    assert '\n' not in str(error.value)
+    assert (tmp_path / 'impact' / 'summary.json').read_text() == 'earlier'
+
+
+def test_theBedsFolderIsNotTheOutput(bed, tmp_path):
+    """A run removes what an earlier one has left in its folder: the bed must not be in it."""
+    shutil.copytree(bed, tmp_path / 'bed')
+    (tmp_path / 'link').symlink_to(tmp_path / 'bed')
+    for output in (tmp_path / 'bed', tmp_path / 'link'):
+        with pytest.raises(ValueError, match='output = .*: holds the bed'):
+            impact(tmp_path / 'bed', output)
+    assert sorted(os.listdir(tmp_path / 'bed')) == ['bed.json', 'bed.yade.gz', 'before.npz']
+
+
+def test_damagedCheckpointIsNamed(bed, tmp_path):
+    sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None).run(until='static')
+    state = (tmp_path / 'checkpoint.json').read_bytes()
+    for name, content in (('checkpoint.json', b''), ('checkpoint.yade.gz', b'scene')):
+        (tmp_path / 'checkpoint.json').write_bytes(state)
+        (tmp_path / name).write_bytes(content)
+        with pytest.raises(ValueError, match='output = .*: its checkpoint is damaged .*remove checkpoint.json'):
+            sq.ImpactRun.resume(str(tmp_path), stream=None)
+
+
 def test_interruptedImpactOnABedResumes(bed, tmp_path):
     whole = impact(bed, tmp_path / 'whole', baseYoung=1e10)
     sq.ImpactRun.onBed(str(bed), {'baseYoung': 1e10}, str(tmp_path / 'parts'), stream=None).run(until='impact')
@@ -96,6 +147,15 @@ def test_thicknessIsControlled(tmp_path):
     assert summary['bed']['thickness'] == pytest.approx(0.02, rel=0.05)
     assert summary['particle']['number'] == pours[-1]['number']
     assert 'WARNING' not in report.text(summary)
+
+
+def test_aPoorGuessDoesNotMakeAContainerOverfull(tmp_path):
+    """The guess says that the bed just fits; the first pour shows that there is room for twice as many particles."""
+    parameters = {**SMALL, 'thickness': 0.02, 'containerHeight': 0.021, 'thicknessTolerance': 0.1, 'solidFraction': 0.33, 'shape': 'sphere',
+                  'softening': 1000, 'restEnergy': 1e-4}
+    run = sq.ImpactRun.begin(parameters, str(tmp_path), stream=None)
+    run.run(until='stiffen')
+    assert len(run.state['pours']) > 1 and run.state['pours'][-1]['thickness'] == pytest.approx(0.02, rel=0.1)
 
 
 def test_thicknessThatIsMissedIsTold(bed, tmp_path):

@@ -11,13 +11,14 @@ import pytest
 import syntheticstudy
 import yade
 from matplotlib.image import imread
+from scipy import stats
 
 from yade.superquadric.study.columns import COLUMNS
 from yade.superquadric.study.curves import meanCurve, readRecord
-from yade.superquadric.study.figures import checkFigure, drawFigure
+from yade.superquadric.study.figures import _differenceText, checkFigure, drawFigure
 from yade.superquadric.study.groupdata import GroupData
 from yade.superquadric.study.page import drawStudy
-from yade.superquadric.study.quantities import QUANTITIES
+from yade.superquadric.study.quantities import QUANTITIES, signed
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GROUP = {'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
@@ -122,9 +123,12 @@ def test_concernsAreTold(tmp_path):
         group['figures'] = {}
     table.loc[table.index[:2], 'over'] = False
     table.loc[table.index[0], 'atRest'] = False
+    table.loc[table.index[:3], 'H'] *= [1.04, 1.02, 0.96]
+    table.loc[table.index[3], ['H', 'particles']] = [1.0, 50]   # of a number of particles that was asked for
     drawStudy(plan, table, tmp_path, tmp_path)
     page = (tmp_path / 'findings.md').read_text()
-    assert '**Mind:** 1 beds were not at rest' in page and '**Mind:** 2 impacts were not over' in page
+    for concern in ('1 impacts were on beds that were not at rest', '2 beds are thicker or thinner', '2 impacts were not over'):
+        assert f'**Mind:** {concern}' in page
 
 
 def test_curvesStartAtTheFirstTouch(tmp_path):
@@ -182,6 +186,18 @@ def test_badFigures(name, spec, message):
 
 def test_quantitiesAreColumnsOfTheTable():
     assert set(QUANTITIES) <= set(COLUMNS)
+
+
+def test_differenceToTheFirstVariantIsPaired():
+    """On the same beds, which differ by 30 %: the scatter of the beds is not in the difference."""
+    group, rows = syntheticstudy.group('g', lambda s, x: 1000 if x == 'as it is' else 1100, ['as it is', 'softer'], [''], [1, 2, 3],
+                                       xName='variant', bedScatter=0.3, scatter=0.001)
+    data = GroupData(group, syntheticstudy.study((group, rows))[1])
+    first, other = (data.sample('peak', '', x) for x in data.values)
+    interval = stats.ttest_rel(other, first).confidence_interval(0.95)
+    text = _differenceText(data, 'peak', '', 'as it is', 'softer')
+    low, middle, high = (signed(1e-3 * value) for value in (interval.low, (other - first).mean(), interval.high))
+    assert text == f'{middle} [{low}, {high}] kN'
 
 
 def test_trendNeedsAnAxis():

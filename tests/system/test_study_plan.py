@@ -8,6 +8,7 @@ import yaml
 
 from yade.superquadric.parameters import bedPart, checked, defaults
 from yade.superquadric.study import plan as plans, studyfile
+from yade.superquadric.study.quantities import xAxisLabel
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GROUP = {'x': {'thickness': [0.01, 0.02]}, 'series': {'ball': {'shape': 'sphere'}, 'die': {'shape': 'cube'}},
@@ -83,11 +84,23 @@ def planOf(study, seeds=None):
     ('groups.layers.findings.0.series', ['egg'], r"groups.layers.findings\[0\]: series = 'egg': must be one of ball, die"),
     ('groups.layers.findings.0.paper', None, r'groups.layers.findings\[0\]: paper = None: must be a text'),
     ('groups.layers.findings.0.hc', 0.07, r'groups.layers.findings\[0\]: hc = 0.07'),
+    ('groups.layers.findings.0.y', ['peak'], r"groups.layers.findings\[0\]: y = \['peak'\]: must be one of"),
+    ('groups.layers.figures.peaks.y', [['peak']], r"groups.layers.figures.peaks: y = \['peak'\]: must be one of"),
+    ('groups.layers.series.odd', {'vary': [['n1']]}, r"groups.layers.series.odd.vary = \['n1'\]: must be a text"),
+    ('groups.layers.x', {'thickness': [10 ** 400]}, 'groups.layers.x.thickness = 10*: must be finite'),
+    ('seeds', [10 ** 400], 'seeds = 10*: must be finite'),
+    ('base.speed', True, 'groups.layers, series .ball., thickness = 0.01: speed = True: must be a number'),
 ])
 def test_badStudies(path, value, message):
     with pytest.raises(ValueError, match=message) as error:
         planOf(changed(path, value))
     assert '\n' not in str(error.value)
+
+
+def test_findingsNumbersMayBeQuoted():
+    """A text that is a number is one in the plan, as elsewhere: the finding is computed with it long after it was checked."""
+    plan = planOf(changed('groups.layers.findings', [{'paper': 'p', 'test': 'noEffect', 'y': 'peak', 'from': '1e-2', 'margin': '0.2'}]))
+    assert {key: plan['groups'][0]['findings'][0][key] for key in ('from', 'margin')} == {'from': 0.01, 'margin': 0.2}
 
 
 def test_variantsHaveNoAxis():
@@ -128,7 +141,8 @@ def test_planOfASmallStudy():
     plan = planOf(STUDY)
     assert len(plan['runs']) == len(plan['beds']) == 8
     group, = plan['groups']
-    assert (group['name'], group['xName'], group['xLabel'], group['series']) == ('layers', 'thickness', 'thickness', ['ball', 'die'])
+    assert (group['name'], group['xName'], group['series']) == ('layers', 'thickness', ['ball', 'die'])
+    assert xAxisLabel(group) == 'thickness $H$ [m]'   # as none is given
     assert [(p['series'], p['x'], p['seed']) for p in group['points']] == [
         (s, x, seed) for s in ('ball', 'die') for x in (0.01, 0.02) for seed in (1, 2)]
     for point in group['points']:
@@ -186,12 +200,38 @@ def test_differentParticlesAreNot(one, other):
 def test_thePaper():
     """15, 13 and 16 points of 44; the cube, the cylinder of 2.5 cm and the block of c/a = 1 are in several figures, but poured once."""
     plan = plans.planOf(studyfile.read(os.path.join(PROJECT, 'scripts', 'study', 'paper.yaml')))
-    runs = {group['name']: {p['run'] for p in group['points'] if p['seed'] == 1 and not (group['name'] == 'thickness' and p['x'] == 0.07)}
-            for group in plan['groups']}
+    runs = {group['name']: {p['run'] for p in group['points'] if p['seed'] == 1 and p['place'] == 0
+                            and not (group['name'] == 'thickness' and p['x'] == 0.07)} for group in plan['groups']}
     assert {name: len(distinct) for name, distinct in runs.items()} == {'thickness': 15, 'sharpness': 13, 'aspect': 16, 'validation': 4}
     assert len(runs['thickness'] | runs['sharpness'] | runs['aspect']) == 44 - 2 - 2
     points = sum(len(group['points']) for group in plan['groups'])
-    assert len(plan['runs']) == len(plan['beds']) < points
+    assert len(plan['beds']) < len(plan['runs']) < points
+
+
+def test_placesOfABed():
+    """The axis, as in the paper, and a ring of 1.5 diameters about it; fewer places are a part of more, so that they are shared."""
+    study = {**STUDY, 'places': 3}
+    plan = planOf(study)
+    ring = [3 * 5e-3, -3 * 5e-3]
+    for group in plan['groups']:
+        assert len(group['points']) == 3 * len({(p['series'], p['x'], p['seed']) for p in group['points']})
+        at = [(run['parameters']['impactorX'], run['parameters']['impactorY']) for run in (plan['runs'][p['run']] for p in group['points'][:3])]
+        assert at == [(0, 0)] + [(x, 0) for x in ring]
+    assert set(planOf(STUDY)['runs']) < set(plan['runs']) < set(planOf({**STUDY, 'places': 5})['runs'])
+    assert set(plan['beds']) == set(planOf(STUDY)['beds'])
+
+
+@pytest.mark.parametrize('places, message', [(0, 'places = 0'), (1.5, 'places = 1.5'), ('many', "places = 'many'"),
+                                             ([1] * 9, r'groups.*must be one number, or one for each of')])
+def test_badPlaces(places, message):
+    name = next(iter(STUDY['groups']))
+    with pytest.raises(ValueError, match=message):
+        planOf({**STUDY, 'groups': {name: {**STUDY['groups'][name], 'places': places}}})
+
+
+def test_placesMustBeInTheContainer():
+    with pytest.raises(ValueError, match='impactorX = .*would meet the wall'):
+        planOf({**STUDY, 'places': 2, 'base': {**STUDY.get('base', {}), 'impactorDiameter': 0.03, 'containerDiameter': 0.05}})
 
 
 @pytest.mark.parametrize('name', ['paper', 'quick', 'sensitivity', 'example'])

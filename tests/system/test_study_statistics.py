@@ -193,6 +193,14 @@ def test_agreement():
     assert judged(finding, lambda s, x: same(s, x) * (1.4 if s == 'a' else 1), **options)['verdict'] == 'contradicted'
 
 
+def test_differencesThatCancelAreNoAgreement():
+    truth = lambda s, x: 1000 * (1.09 if (s == 'a') == (x == 1) else 1)
+    result = judged({'test': 'agree', 'series': ['a', 'b']}, truth, series=('a', 'b'), x=(1, 2), scatter=0.02)
+    ratios = [numbers['ratio'] for numbers in result['parts'][0]['numbers']['at'].values()]
+    assert max(ratios) > 1.1 and result['parts'][0]['numbers']['pWithin'] < 0.01
+    assert result['verdict'] == 'undecided', result['text']
+
+
 def test_noEffect():
     options = {'series': ('a', 'b'), 'x': (1, 2, 3)}
     assert judged({'test': 'noEffect', 'from': 2}, lambda s, x: 1000 if x > 1 else 3000, scatter=0.02, **options)['verdict'] == 'supported'

@@ -235,6 +235,17 @@ def test_badStudyFile(tmp_path):
     assert code == 2 and error.splitlines()[-1].startswith("study.py: study file: 'colour' is unknown") and not study.output.exists()
 
 
+def test_resultThatCannotBeReadIsKept(tmp_path):
+    """Not every file that cannot be read just now is damaged: a folder in its place stands for a disk that does not answer."""
+    study = Study(tmp_path)
+    run = next(iter(planOf(checkedStudy(STUDY))['runs']))
+    summary = study.output / 'impacts' / run / 'summary.json'
+    summary.mkdir(parents=True)
+    code, out, error = study.run()
+    assert code == 2 and error.splitlines()[-1].startswith('study.py: output = ') and str(summary) in error and 'Traceback' not in error
+    assert summary.exists()
+
+
 def test_outputThatIsAFile(tmp_path):
     study = Study(tmp_path)
     study.output.write_text('')

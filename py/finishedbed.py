@@ -1,0 +1,48 @@
+"""A bed at rest in a folder of its own, for any number of impacts: YADE's scene, the particles before the impact, and the state of the run
+that poured it, written last. All three or no bed."""
+import os
+
+from yade import O
+
+from . import results
+from .parameters import bedPart
+from .report import BEFORE
+
+SCENE, STATE = 'bed.yade.gz', 'bed.json'
+
+
+def save(folder, state):
+    """Write the scene, then the `state`; the particles (report.BEFORE) must be there already."""
+    O.save(os.path.join(folder, SCENE))
+    results.flush(os.path.join(folder, SCENE))
+    results.flush(os.path.join(folder, BEFORE))
+    results.writeJson(os.path.join(folder, STATE), state)
+
+
+def read(folder):
+    """The state of the finished bed in the `folder`.
+
+    :raises ValueError: there is no bed, a damaged one, or one of a version with other parameters
+    """
+    if not os.path.exists(os.path.join(folder, STATE)):
+        raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({STATE})')
+    missing = [name for name in (SCENE, BEFORE) if not os.path.exists(os.path.join(folder, name))]
+    if missing:
+        raise ValueError(f'bed = {folder!r}: {missing[0]} is missing')
+    try:
+        state = results.readJson(os.path.join(folder, STATE))
+        bedPart(state['parameters'])
+    except (ValueError, TypeError, KeyError) as error:
+        raise ValueError(f'bed = {folder!r}: {STATE} is damaged, or of another version ({type(error).__name__}: {error})') from None
+    return state
+
+
+def load(folder):
+    """Make the bed in the `folder` YADE's scene.
+
+    :raises ValueError: it is damaged
+    """
+    try:
+        O.load(os.path.join(folder, SCENE))
+    except RuntimeError as error:
+        raise ValueError(f'bed = {folder!r}: {SCENE} cannot be loaded ({error})') from None
