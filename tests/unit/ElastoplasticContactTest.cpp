@@ -1,0 +1,548 @@
+// The elastoplastic normal law: closed forms, collisions, and that no path of the overlap gives energy.
+#include <pkg/geometry/ElastoplasticContact.hpp>
+
+#include <pkg/geometry/HertzMindlin.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+using namespace superquadric::elastoplastic;
+
+namespace {
+constexpr double pi = 3.14159265358979323846, infinity = std::numeric_limits<double>::infinity();
+constexpr double modulus = 39e9, radius = 2.5e-3, mass = 1e-3; // of two aluminium spheres, about
+
+Pair pairOf(double yieldStress, double factor, double exponent)
+{
+	Hardening hardening;
+	hardening.m0 = factor;
+	hardening.exponent = exponent;
+	return { { yieldStress, hardening }, modulus, radius };
+}
+
+const Pair aluminium = pairOf(100e6, 2.6, 1.8);
+const Pair elastic { {}, modulus, radius };
+
+// From well below Hertz to above it at yield (H < 1; H = 1 with G > 3) and beyond (large G).
+const std::array<Pair, 9> pairs { aluminium, pairOf(1e6, 0.1, 0.6), pairOf(300e6, 5, 0.6), pairOf(100e6, 2, 1), pairOf(100e6, 12, 1),
+	pairOf(50e6, 5, 2), pairOf(50e6, 30, 2), pairOf(50e6, 0.5, 2.9), pairOf(200e6, 8, 2.5) };
+
+YieldPoint yieldOf(const Pair& pair) { return yieldPoint(pair.material.yieldStress, pair.modulus, pair.radius); }
+
+double hertzForce(const Pair& pair, double overlap) { return 4. / 3 * pair.modulus * std::sqrt(pair.radius * overlap) * overlap; }
+
+template <class Function>
+double gauss5(const Function& f, double from, double to)
+{
+	constexpr std::array<double, 3> x { 0, 0.5384693101056831, 0.9061798459386640 };
+	constexpr std::array<double, 3> weight { 0.5688888888888889, 0.4786286704993665, 0.2369268850561891 };
+	const double middle = (from + to) / 2, half = (to - from) / 2;
+	double sum = weight[0] * f(middle);
+	for (int i : { 1, 2 })
+		sum += weight[i] * (f(middle - half * x[i]) + f(middle + half * x[i]));
+	return half * sum;
+}
+
+// Halves the interval, around kinks again and again, until both halves agree with the whole to `error`.
+template <class Function>
+double halved(const Function& f, double from, double to, double error, int depth)
+{
+	const double middle = (from + to) / 2, whole = gauss5(f, from, to);
+	const double halves = gauss5(f, from, middle) + gauss5(f, middle, to);
+	if (std::abs(halves - whole) <= error || depth == 0) return halves;
+	return halved(f, from, middle, error, depth - 1) + halved(f, middle, to, error, depth - 1);
+}
+
+// In parts to begin with, so that no kink is overlooked.
+template <class Function>
+double integral(const Function& f, double from, double to, double error, int parts)
+{
+	double sum = 0;
+	for (int i = 0; i < parts; ++i)
+		sum += halved(f, from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts, error / parts, 40);
+	return sum;
+}
+
+State followed(const Pair& pair, const std::vector<double>& overlaps)
+{
+	State state;
+	for (double overlap : overlaps)
+		state = normalForce(pair, state.history, overlap);
+	return state;
+}
+
+struct Collision {
+	double restitution, duration, kineticLoss, dissipated, loop;
+};
+
+// A mass m* against a wall, by Runge and Kutta's fourth-order step on overlap, speed and work. Each stage has the history of the
+// step's beginning. Steps are `fineness` times the period of the unloading branch, and longer far from the turning point.
+Collision collide(const Pair& pair, double speed, double fineness = 5e-4)
+{
+	const double hertz = 4. / 3 * pair.modulus * std::sqrt(pair.radius);
+	double step = fineness * std::pow(mass / hertz, 0.4) * std::pow(speed, -0.2);
+	double overlap = 0, velocity = speed, time = 0, loop = 0;
+	State state;
+	while (velocity > 0 || state.force > 0) {
+		const auto force = [&](double d) { return normalForce(pair, state.history, d).force; };
+		const double v1 = velocity, f1 = state.force;
+		const double v2 = v1 - step / 2 * f1 / mass, f2 = force(overlap + step / 2 * v1);
+		const double v3 = v1 - step / 2 * f2 / mass, f3 = force(overlap + step / 2 * v2);
+		const double v4 = v1 - step * f3 / mass, f4 = force(overlap + step * v3);
+		overlap += step / 6 * (v1 + 2 * v2 + 2 * v3 + v4);
+		velocity -= step / 6 / mass * (f1 + 2 * f2 + 2 * f3 + f4);
+		loop += step / 6 * (f1 * v1 + 2 * f2 * v2 + 2 * f3 * v3 + f4 * v4);
+		time += step;
+		state = normalForce(pair, state.history, overlap);
+		if (velocity > 0) {
+			const double period = std::sqrt(mass / state.unloadingStiffness);
+			step = fineness * std::max(period, std::min(overlap / velocity, mass * velocity / state.force));
+		}
+	}
+	time -= (overlap - state.history.residual) / velocity; // the free flight since the force ended
+	return { -velocity / speed, time, mass / 2 * (speed * speed - velocity * velocity), state.dissipated, loop };
+}
+
+// The last kink of the loading curve, where it comes back to (10) in units of dy; 1 if it never left it.
+double lastKink(const Pair& pair)
+{
+	const LoadingCurve curve(pair);
+	const YieldPoint point = yieldOf(pair);
+	const Hardening& hardening = pair.material.hardening;
+	const auto away = [&](double part) {
+		const double fitted = 1 + hardening.m0 * std::pow(std::sqrt(part) - 1, hardening.exponent);
+		return fitted * point.force > curve.force(part * point.overlap) * (1 + 1e-12);
+	};
+	double low = 1e6, high = low;
+	while (low > 1.001 && !away(low)) {
+		high = low;
+		low /= 1.001;
+	}
+	if (!away(low)) return 1;
+	for (int i = 0; i < 60; ++i)
+		(away((low + high) / 2) ? low : high) = (low + high) / 2;
+	return high;
+}
+
+// The speed that just reaches yield.
+double yieldSpeed(const Pair& pair) { return std::sqrt(4. / 5 * yieldOf(pair).force * yieldOf(pair).overlap / mass); }
+
+std::string refusalOf(const Material& material)
+{
+	try {
+		check(material);
+	} catch (const std::invalid_argument& e) {
+		return e.what();
+	}
+	return "";
+}
+
+Material changed(double Hardening::*member, double value)
+{
+	Material material = aluminium.material;
+	material.hardening.*member = value;
+	return material;
+}
+
+// Overlaps on a grid up to `deepest` that go up and down by one or a few places at random.
+class Walk {
+public:
+	Walk(std::mt19937& random, double deepest)
+	        : random_(random)
+	        , deepest_(deepest)
+	{
+	}
+
+	static constexpr int places = 12;
+	int next()
+	{
+		place_ = std::min(std::max(place_ + std::uniform_int_distribution<int>(-3, 3)(random_), 0), places);
+		return place_;
+	}
+	double overlap() const { return deepest_ * place_ / places; }
+
+private:
+	std::mt19937& random_;
+	double deepest_;
+	int place_ = 0;
+};
+}
+
+TEST(Elastoplastic, BadParametersAreNamedWithTheirValues)
+{
+	EXPECT_EQ(refusalOf(aluminium.material), "");
+	EXPECT_EQ(refusalOf(elastic.material), "");
+	EXPECT_EQ(refusalOf({ -1, aluminium.material.hardening }), "yieldStress must be positive, got -1");
+	EXPECT_EQ(refusalOf({ NAN, aluminium.material.hardening }), "yieldStress must be positive, got nan");
+	EXPECT_EQ(refusalOf(changed(&Hardening::referenceRadius, 0)), "referenceRadius must be finite and positive, got 0");
+	EXPECT_EQ(refusalOf(changed(&Hardening::exponent, 3)), "exponent must be between 0 and 3, got 3");
+	EXPECT_EQ(refusalOf(changed(&Hardening::exponent, 0)), "exponent must be between 0 and 3, got 0");
+	EXPECT_EQ(refusalOf(changed(&Hardening::m1, infinity)), "m1 must be finite, got inf");
+	EXPECT_EQ(refusalOf(changed(&Hardening::smallestRatio, -2)), "smallestRatio must be finite and positive, got -2");
+	EXPECT_EQ(refusalOf(changed(&Hardening::largestRatio, 0.5)), "largestRatio must be at least smallestRatio, got 0.5");
+	// 2.6 - r is negative at the largest radius; 2.6 - 3.3 r + r^2 only between both ends.
+	EXPECT_EQ(refusalOf(changed(&Hardening::m1, -1)),
+	        "m0 + m1 r + m2 r^2 must be positive for r from smallestRatio to largestRatio, got -1.4");
+	Material dip = changed(&Hardening::m1, -3.3);
+	dip.hardening.m2 = 1;
+	EXPECT_NE(refusalOf(dip), "");
+	dip.hardening.m1 = -3.1;
+	EXPECT_EQ(refusalOf(dip), "");
+}
+
+TEST(Elastoplastic, HardeningIsTheParabolaWithinTheFitAndConstantOutside)
+{
+	const Hardening hardening { 2e-3, 3, -0.5, 0.25, 2 };
+	EXPECT_DOUBLE_EQ(hardening.factor(5e-3), 3 - 0.5 * 2.5 + 0.25 * 6.25);
+	EXPECT_DOUBLE_EQ(hardening.factor(1e-3), 3 - 0.5 + 0.25);
+	EXPECT_DOUBLE_EQ(hardening.factor(1), 3 - 0.5 * 4 + 0.25 * 16);
+}
+
+TEST(Elastoplastic, TheSofterMaterialYieldsInAnyOrder)
+{
+	const Material soft { 50e6, aluminium.material.hardening };
+	EXPECT_EQ(&softer(soft, aluminium.material), &soft);
+	EXPECT_EQ(&softer(aluminium.material, soft), &soft);
+	EXPECT_EQ(&softer(elastic.material, soft), &soft);
+	const Material twin = changed(&Hardening::m0, 2);
+	EXPECT_EQ(&softer(twin, aluminium.material), &softer(aluminium.material, twin));
+}
+
+TEST(Elastoplastic, YieldPointFollowsEquations5To7)
+{
+	const YieldPoint point = yieldOf(aluminium);
+	const double p = 1.6 * 100e6;
+	EXPECT_DOUBLE_EQ(point.pressure, p);
+	EXPECT_NEAR(point.force, pi * pi * pi * radius * radius * p * p * p / (6 * modulus * modulus), 1e-14 * point.force);
+	EXPECT_NEAR(point.overlap, std::pow(pi * p / (2 * modulus), 2) * radius, 1e-14 * point.overlap);
+	EXPECT_NEAR(point.contactRadius, std::sqrt(radius * point.overlap), 1e-14 * point.contactRadius);
+	EXPECT_NEAR(point.force, hertzForce(aluminium, point.overlap), 1e-14 * point.force);
+	// The pressure in the middle of Hertz's contact is 3/2 of the mean.
+	EXPECT_NEAR(1.5 * point.force / (pi * point.contactRadius * point.contactRadius), p, 1e-14 * p);
+}
+
+TEST(Elastoplastic, LoadingFollowsEquation10)
+{
+	const YieldPoint point = yieldOf(aluminium);
+	const LoadingCurve curve(aluminium);
+	for (double part : { 0.1, 0.9, 1.1, 3., 100. }) {
+		const double d = part * point.overlap, a = std::sqrt(radius * d);
+		const double fitted = point.force * (1 + 2.6 * std::pow((a - point.contactRadius) / point.contactRadius, 1.8));
+		const double expected = part < 1 ? hertzForce(aluminium, d) : fitted;
+		EXPECT_NEAR(curve.force(d), expected, 1e-13 * expected);
+	}
+}
+
+TEST(Elastoplastic, ANeverYieldingMaterialIsHertz)
+{
+	const superquadric::hertzMindlin::Pair hertz { modulus, radius, mass };
+	for (double d : { 1e-300, 1e-9, 1e-5, 1e-3 }) {
+		const State state = followed(elastic, { 2 * d, d / 2, d });
+		const auto expected = superquadric::hertzMindlin::normalForce(hertz, 0, d, 0);
+		EXPECT_NEAR(state.force, expected.elastic, 1e-15 * expected.elastic);
+		EXPECT_NEAR(state.stiffness, expected.stiffness, 1e-15 * expected.stiffness);
+		EXPECT_NEAR(state.elastic, superquadric::hertzMindlin::normalEnergy(hertz.hertz(), d), 1e-15 * expected.elastic * d);
+		EXPECT_EQ(state.dissipated, 0);
+		EXPECT_EQ(state.history.residual, 0);
+	}
+}
+
+TEST(Elastoplastic, LoadingIsContinuousAndGrowsAndIsNoStrongerThanHertz)
+{
+	for (const Pair& pair : pairs) {
+		const LoadingCurve curve(pair);
+		const double dy = yieldOf(pair).overlap, fy = yieldOf(pair).force;
+		EXPECT_NEAR(curve.force(dy * (1 + 1e-14)), fy, 1e-4 * fy); // a power H < 1 rises at once
+		double last = 0, lastResidual = 0, lastDissipation = 0;
+		for (double d = dy / 2; d < 1e6 * dy; d *= 1.001) {
+			const double f = curve.force(d), length = d - curve.residual(d);
+			ASSERT_GT(f, last);
+			ASSERT_LE(f, hertzForce(pair, d) * (1 + 1e-14));
+			// No jump: the slope bounds what is gained in a step, but where a power H < 1 or the end of a pause is near.
+			ASSERT_LT(f, std::max(last, fy / 2) * 1.01);
+			ASSERT_GE(curve.residual(d), lastResidual * (1 - 1e-13));
+			const double dissipation = curve.energy(d) - 2. / 5 * f * length;
+			ASSERT_GE(dissipation, lastDissipation - 1e-14 * curve.energy(d));
+			// (10) meets the unloading branch with the disc that loading has left.
+			ASSERT_NEAR(f, 4. / 3 * pair.modulus * std::sqrt(pair.radius * d) * length, 1e-12 * d / length * f);
+			last = f;
+			lastResidual = curve.residual(d);
+			lastDissipation = dissipation;
+		}
+		EXPECT_GT(lastResidual, 0);
+		EXPECT_GT(lastDissipation, 0);
+	}
+}
+
+TEST(Elastoplastic, SlopeIsTheDerivativeOfTheForce)
+{
+	for (const Pair& pair : pairs)
+		for (double part : { 0.3, 1.7, 5., 37., 1e4 }) {
+			const LoadingCurve curve(pair);
+			const double d = part * yieldOf(pair).overlap, h = 1e-5 * d;
+			EXPECT_NEAR(curve.slope(d), (curve.force(d + h) - curve.force(d - h)) / (2 * h), 1e-7 * curve.force(d) / d);
+		}
+}
+
+TEST(Elastoplastic, EnergyIsTheIntegralOfTheForce)
+{
+	for (const Pair& pair : pairs) {
+		const LoadingCurve curve(pair);
+		const double dy = yieldOf(pair).overlap;
+		// With d = dy (1 + s^10) the integrand is smooth enough at yield for any exponent.
+		for (double part : { 1.01, 1.5, 4., 50., 1e4 }) {
+			const double top = std::pow(part - 1, 0.1);
+			const auto f = [&](double s) { return curve.force(dy * (1 + std::pow(s, 10))) * 10 * std::pow(s, 9) * dy; };
+			const double kink = std::min(top, std::pow(lastKink(pair) - 1, 0.1)), error = 1e-14 * curve.energy(part * dy);
+			const double expected = curve.energy(dy) + integral(f, 0, kink, error, 50) + integral(f, kink, top, error, 50);
+			EXPECT_NEAR(curve.energy(part * dy), expected, 1e-12 * expected);
+		}
+		EXPECT_NEAR(curve.energy(dy), 2. / 5 * yieldOf(pair).force * dy, 1e-14 * curve.energy(dy));
+	}
+}
+
+// By hand: without the rule, 1 + 30 w^2 lies above Hertz's (1 + w)^3 at w = 1, and the residual overlap would be negative.
+TEST(Elastoplastic, WhereTheFitIsTooSteepTheContactYieldsNoFurther)
+{
+	const Pair pair = pairOf(50e6, 30, 2);
+	const LoadingCurve curve(pair);
+	const double d = 4 * yieldOf(pair).overlap, fy = yieldOf(pair).force;
+	EXPECT_LT(curve.force(d), fy * 8);
+	EXPECT_GT(curve.residual(d), 0);
+	EXPECT_EQ(curve.residual(d), curve.residual(1.1 * d));
+	EXPECT_GT(curve.residual(1e4 * d), 100 * curve.residual(d));
+	// Above Hertz from yield on: Hertz until both meet, at 1 + 12 w = (1 + w)^3.
+	const Pair steep = pairOf(100e6, 12, 1);
+	const double meeting = std::pow(1 + (-3 + std::sqrt(45)) / 2, 2) * yieldOf(steep).overlap;
+	EXPECT_EQ(LoadingCurve(steep).residual(0.999 * meeting), 0);
+	EXPECT_GT(LoadingCurve(steep).residual(1.001 * meeting), 0);
+	EXPECT_EQ(followed(steep, { 0.999 * meeting, 0.5 * meeting }).dissipated, 0);
+}
+
+TEST(Elastoplastic, TheResidualNeverShrinksForAnyFit)
+{
+	std::mt19937 random(3);
+	std::uniform_real_distribution<double> unit(0, 1);
+	for (int i = 0; i < 2000; ++i) {
+		const Pair pair = pairOf(100e6, std::pow(10, 4 * unit(random) - 2), 0.05 + 2.9 * unit(random));
+		const LoadingCurve curve(pair);
+		const double dy = yieldOf(pair).overlap;
+		double last = 0;
+		for (double d = dy; d < 1e8 * dy; d *= 1.05) {
+			ASSERT_GE(curve.residual(d), last - 1e-14 * d);
+			ASSERT_LT(curve.residual(d), d);
+			last = curve.residual(d);
+		}
+	}
+}
+
+TEST(Elastoplastic, UnloadingIsHertzWithTheDiscOfLoading)
+{
+	const double largest = 40 * yieldOf(aluminium).overlap;
+	const State top = followed(aluminium, { largest });
+	const double residual = top.history.residual, flattened = radius * largest / (largest - residual);
+	EXPECT_GT(flattened, radius);
+	EXPECT_NEAR(top.force, LoadingCurve(aluminium).force(largest), 1e-13 * top.force);
+	for (double part : { 0.1, 0.5, 0.9 }) {
+		const double length = part * (largest - residual);
+		const State state = followed(aluminium, { largest, residual + length });
+		EXPECT_NEAR(state.force, 4. / 3 * modulus * std::sqrt(flattened * length) * length, 1e-13 * top.force);
+		EXPECT_LT(state.force, LoadingCurve(aluminium).force(residual + length));
+	}
+	const double h = 1e-6 * largest, d = (largest + residual) / 2;
+	const auto at = [&](double overlap) { return followed(aluminium, { largest, overlap }); };
+	EXPECT_NEAR(at(d).stiffness, (at(d + h).force - at(d - h).force) / (2 * h), 1e-8 * at(d).stiffness);
+	EXPECT_NEAR(at(d).force, (at(d + h).elastic - at(d - h).elastic) / (2 * h), 1e-8 * at(d).force);
+	EXPECT_EQ(at(residual).force, 0);
+	EXPECT_EQ(at(residual / 2).force, 0);
+	EXPECT_EQ(at(-residual).elastic, 0);
+	EXPECT_EQ(at(-residual).history.residual, residual);
+}
+
+TEST(Elastoplastic, UnloadingIsNeverStrongerThanLoadingAndAtLeastAsStiff)
+{
+	for (const Pair& pair : pairs)
+		for (double part : { 1.001, 1.5, 2., 4., 30., 1e4 }) {
+			const double largest = part * yieldOf(pair).overlap;
+			const State top = followed(pair, { largest });
+			ASSERT_LE(top.stiffness, top.unloadingStiffness * (1 + 1e-12));
+			ASSERT_GE(top.dissipated, 0);
+			const double rounding = 1e-14 * largest / (largest - top.history.residual) * top.force;
+			for (int i = 0; i <= 1000; ++i) {
+				const double d = largest * i / 1000;
+				ASSERT_LE(normalForce(pair, top.history, d).force, LoadingCurve(pair).force(d) + rounding);
+			}
+		}
+}
+
+TEST(Elastoplastic, ReloadingRetracesTheBranchAndThenTheVirginCurve)
+{
+	for (const Pair& pair : pairs) {
+		const double dy = yieldOf(pair).overlap, largest = 20 * dy;
+		State state = followed(pair, { largest });
+		const double dissipated = state.dissipated;
+		std::vector<double> down;
+		for (int i = 50; i >= 0; --i) {
+			state = normalForce(pair, state.history, largest * i / 50);
+			down.push_back(state.force);
+		}
+		for (int cycle = 0; cycle < 3; ++cycle)
+			for (int i = 0; i <= 50; ++i) {
+				state = normalForce(pair, state.history, largest * (cycle % 2 ? 50 - i : i) / 50);
+				ASSERT_EQ(state.force, down[cycle % 2 ? i : 50 - i]);
+				ASSERT_EQ(state.dissipated, dissipated);
+			}
+		const State further = normalForce(pair, state.history, 2 * largest), direct = followed(pair, { 2 * largest });
+		EXPECT_EQ(further.force, direct.force);
+		EXPECT_EQ(further.dissipated, direct.dissipated);
+		EXPECT_GT(further.dissipated, dissipated);
+	}
+}
+
+TEST(Elastoplastic, AnElasticCollisionGivesAllBackInHertzsTime)
+{
+	// 2 (15/16)^(2/5) sqrt(pi) Gamma(7/5)/Gamma(9/10), Johnson's 2.87.
+	const double number = 2 * std::pow(15. / 16, 0.4) * std::sqrt(pi) * std::tgamma(1.4) / std::tgamma(0.9);
+	EXPECT_NEAR(number, 2.87, 2e-3);
+	for (double part : { 0.01, 0.5, 0.999 }) {
+		const double speed = part * yieldSpeed(aluminium);
+		const Collision collision = collide(aluminium, speed);
+		EXPECT_NEAR(collision.restitution, 1, 1e-6);
+		const double expected = number * std::pow(mass * mass / (radius * modulus * modulus * speed), 0.2);
+		EXPECT_NEAR(collision.duration, expected, 1e-4 * expected);
+		EXPECT_EQ(collision.dissipated, 0);
+	}
+	EXPECT_LT(collide(aluminium, 1.1 * yieldSpeed(aluminium)).restitution, 1 - 1e-4);
+	EXPECT_NEAR(collide(elastic, 10).restitution, 1, 1e-6);
+}
+
+TEST(Elastoplastic, ACollisionLosesTheAreaOfItsLoop)
+{
+	for (const Pair& pair : pairs)
+		for (double part : { 2., 20., 1000. }) {
+			const double speed = part * yieldSpeed(pair), kinetic = mass / 2 * speed * speed;
+			const Collision collision = collide(pair, speed);
+			EXPECT_NEAR(collision.dissipated, collision.kineticLoss, 1e-6 * kinetic);
+			EXPECT_NEAR(collision.loop, collision.kineticLoss, 1e-6 * kinetic);
+			EXPECT_LE(collision.restitution, 1 + 1e-6);
+		}
+}
+
+// f - fy ~ a^2 = R d: the perfectly plastic contact of Johnson, section 11.5. From the curve itself, with f = G fy d/dy:
+// e^2 = 4/5 G (dy/d)^(1/2), v^2 = G fy d^2/(m dy).
+TEST(Elastoplastic, RestitutionFallsAsJohnsonsPowerFarAboveYield)
+{
+	const double factor = 2.6;
+	const Pair pair = pairOf(1e6, factor, 2);
+	const auto restitution = [&](double part) { return collide(pair, part * yieldSpeed(pair)).restitution; };
+	// Just beyond yield (10) with H > 1 hardly rises, so that there the restitution has a dip.
+	double last = 1;
+	for (double part : { 10., 100., 1e3, 1e4 }) {
+		EXPECT_LT(restitution(part), last);
+		last = restitution(part);
+	}
+	const double exponent = std::log(restitution(1e7) / restitution(1e4)) / std::log(1e3);
+	EXPECT_NEAR(exponent, -0.25, 0.05 * 0.25);
+	const double speed = 1e7 * yieldSpeed(pair);
+	const YieldPoint point = yieldOf(pair);
+	const double depth = speed * std::sqrt(mass * point.overlap / (factor * point.force));
+	EXPECT_NEAR(restitution(1e7), std::sqrt(0.8 * factor) * std::pow(point.overlap / depth, 0.25), 1e-3 * restitution(1e7));
+}
+
+TEST(Elastoplastic, TheForcesWorkIsStoredOrDissipated)
+{
+	std::mt19937 random(11);
+	for (int i = 0; i < 300; ++i) {
+		const Pair& pair = pairs[i % pairs.size()];
+		Walk walk(random, 60 * yieldOf(pair).overlap);
+		State state;
+		const double scale = LoadingCurve(pair).energy(60 * yieldOf(pair).overlap);
+		double work = 0;
+		for (int step = 0; step < 20; ++step) {
+			const double from = walk.overlap();
+			walk.next();
+			const History before = state.history;
+			const auto force = [&](double d) { return normalForce(pair, before, d).force; };
+			// In pieces: below dR nothing is done, at dmax there is a kink.
+			const double start = std::max(from, before.residual), end = std::max(walk.overlap(), before.residual);
+			const double kink = end > before.largest ? before.largest : start;
+			work += integral(force, start, kink, 1e-9 * scale, 4) + integral(force, kink, end, 1e-9 * scale, 4);
+			state = normalForce(pair, before, walk.overlap());
+			ASSERT_NEAR(state.elastic + state.dissipated, work, 1e-7 * scale);
+		}
+	}
+}
+
+// Whenever an overlap is reached again, the work done on the contact has not become less, whatever lies between; nor is a contact
+// owed energy. R and E* given to it change at random all the time.
+TEST(Elastoplastic, NoPathOfTheOverlapGivesEnergy)
+{
+	std::mt19937 random(5);
+	std::uniform_real_distribution<double> unit(0, 1);
+	for (int i = 0; i < 100000; ++i) {
+		Pair pair = pairOf(std::pow(10, 6 + 3 * unit(random)), std::pow(10, 3 * unit(random) - 1), 0.1 + 2.8 * unit(random));
+		Walk walk(random, yieldOf(pair).overlap * std::pow(10, 4 * unit(random) - 0.5));
+		std::array<double, Walk::places + 1> workAt {};
+		double largestWork = 0;
+		State state;
+		for (int step = 0; step < 20; ++step) {
+			const int place = walk.next();
+			const State last = state;
+			pair.radius = radius * (0.5 + unit(random));
+			pair.modulus = modulus * (0.5 + unit(random));
+			state = normalForce(pair, last.history, walk.overlap());
+			const double work = state.elastic + state.dissipated;
+			largestWork = std::max(largestWork, work);
+			const double rounding = 1e-13 * largestWork;
+			ASSERT_GE(state.force, 0);
+			ASSERT_GE(state.elastic, 0);
+			ASSERT_GE(state.history.residual, last.history.residual);
+			ASSERT_GE(state.dissipated, last.dissipated - rounding);
+			ASSERT_GE(work, workAt[place] - rounding);
+			workAt[place] = work;
+		}
+	}
+}
+
+// Why the contact keeps R of its first touch: a cycle of overlap and R would give energy, whether the history were kept as overlaps
+// (R grows while pressed, shrinks while apart) or as forces (the other way round).
+TEST(Elastoplastic, AHardenedContactDoesNotFollowTheCurvature)
+{
+	const double largest = 40 * yieldOf(aluminium).overlap;
+	const State top = followed(aluminium, { largest });
+	Pair other = aluminium;
+	other.radius *= 1.2;
+	const State kept = normalForce(other, top.history, largest);
+	EXPECT_EQ(kept.force, top.force);
+	EXPECT_EQ(kept.elastic, top.elastic);
+
+	History asOverlaps = top.history;
+	asOverlaps.radius *= 1.2;
+	EXPECT_GT(normalForce(other, asOverlaps, largest).elastic, 1.05 * top.elastic);
+
+	History asForces = top.history;
+	asForces.radius /= 1.2;
+	asForces.residual = largest - (largest - top.history.residual) * std::sqrt(1.2);
+	const State renewed = normalForce(other, asForces, largest);
+	EXPECT_NEAR(renewed.force, top.force, 1e-12 * top.force);
+	EXPECT_GT(renewed.elastic, 1.05 * top.elastic);
+}
+
+TEST(Elastoplastic, NothingHappensBeforeTheFirstTouch)
+{
+	for (double d : { -1e-3, 0. }) {
+		const State state = normalForce(aluminium, {}, d);
+		EXPECT_EQ(state.force, 0);
+		EXPECT_EQ(state.stiffness, 0);
+		EXPECT_EQ(state.history.radius, 0);
+	}
+	EXPECT_EQ(normalForce(aluminium, {}, 1e-9).history.radius, radius);
+}
