@@ -46,7 +46,7 @@ def main():
     parser = argparse.ArgumentParser()
     for name in ('--parameters', '--output', '--bed'):
         parser.add_argument(name)
-    for name in ('--quiet', '--takeUp', '--bedOnly'):
+    for name in ('--quiet', '--noPictures', '--takeUp', '--bedOnly'):
         parser.add_argument(name, action='store_true')
     options = parser.parse_args(sys.argv[sys.argv.index('-x') + 2:])
     with open(options.parameters, encoding='utf-8') as file:

@@ -171,7 +171,7 @@ def test_ctrlCLeavesACheckpointThatResumes(small, tmp_path):
 
 
 # Within a portion of steps, before its first and before its last; the steps count from the resumption before.
-STOPS = [('pour', 100), ('pour', 9200), ('stiffen', 0), ('stiffen', 700), ('rest', 149), ('static', 77), ('impact', 0),
+STOPS = [('pour', 100), ('pour', 5000), ('stiffen', 0), ('stiffen', 700), ('rest', 149), ('static', 77), ('impact', 0),
          ('impact', 555), ('impact', 244)]
 
 
