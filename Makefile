@@ -7,7 +7,7 @@ demoArguments = --output demo
 help:
 	@echo 'make demo    a bed of cubes cushions a blow: results and pictures in demo/'
 	@echo 'make study   the 44 beds of the paper, several of each, with confidence intervals: results/study (hours; goes on where it was stopped)'
-	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (20 minutes on 2 cores)'
+	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (12 minutes on 2 cores)'
 	@echo 'make test    all tests; the last line counts them'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
 	@echo 'make build   the plugin and the C++ tests, without running anything'
