@@ -8,11 +8,10 @@ from yade.wrapper import Sphere, Superquadric
 
 from . import checks, container as containers
 
-GAP = 0.08             # of rainFilling, by default
+GAP, SIDEWAYS = 0.08, 2.0  # of rainFilling, by default
 DEEP_FRACTION = 0.622  # packing fraction of poured beds of many layers, with the thickness as seen from above, ...
 LAYER_FRACTION = 0.12  # ... and what it gains times d/H (d: diameter of equal volume): fitted to beds of spheres, cylinders and
-                       # cubes of H = 0.8 to 9.5 cm. It only serves to choose a number, and is within 5 % there
-SIDEWAYS = 2.0         # the same
+                       # cubes of H = 0.8 to 9.5 cm. It only serves to choose a number, and is within 7 % there
 DENSEST = 0.9          # no poured bed comes near it; a container asked to hold more is overfull without doubt
 
 

@@ -9,7 +9,7 @@ from .engines import criticalTimeStep, superquadricEngines
 from .filling import DENSEST, rainFilling
 from .parameters import materialOf, shapeOf
 
-DENSE = 0.99 * DENSEST  # packing fraction that a bed which does not fit is told by
+DENSE = 0.99 * DENSEST  # only a bed that would not fit if it packed as densely is refused
 
 
 def rain(parameters, count):

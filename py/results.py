@@ -19,7 +19,7 @@ def versions():
 
 def writeCsv(path, columns, rows):
     """Write `rows` under the names `columns`; numbers keep all their digits."""
-    with _Replacing(path) as file:
+    with Replacing(path) as file:
         writer = csv.writer(file, lineterminator='\n')
         writer.writerow(columns)
         writer.writerows([repr(float(value)) for value in row] for row in rows)
@@ -34,7 +34,7 @@ def readCsv(path):
 
 
 def writeJson(path, content):
-    with _Replacing(path) as file:
+    with Replacing(path) as file:
         json.dump(content, file, indent=2)
         file.write('\n')
 
@@ -50,7 +50,7 @@ def flush(path):
         os.fsync(file.fileno())
 
 
-class _Replacing:
+class Replacing:
     """A text file that takes the place of `path` only when it has been written completely."""
 
     def __init__(self, path):

@@ -22,7 +22,7 @@ from .stepping import Interrupted, Stepper
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
-SWELLING = 0.8      # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
+SOFT_SHARE = 0.8    # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
 
 
@@ -198,7 +198,7 @@ class ImpactRun:
         p, pours, count = self.parameters, self.state['pours'], len(self.ids)
         thickness = measureBed(Snapshot.ofBodies(self.ids), self.container)['thickness']
         pours.append({'number': count, 'thickness': thickness})
-        if p['particles'] is not None or abs(thickness / p['thickness'] - 1) <= SWELLING * p['thicknessTolerance']:
+        if p['particles'] is not None or abs(thickness / p['thickness'] - 1) <= SOFT_SHARE * p['thicknessTolerance']:
             return None
         better = max(1, round(count * p['thickness'] / thickness))
         if len(pours) == MOST_POURS or better in [pour['number'] for pour in pours]:

@@ -61,6 +61,8 @@ def fromFile(path):
 
 def start(options, values):
     """The run, begun, or taken up where it was interrupted, and its folder."""
+    if options.bed and options.bedOnly:
+        raise ValueError(f'bedOnly: the bed in {options.bed!r} is finished; there is nothing to do')
     table, description = fromTable()
     output = options.output or os.path.join('results', description)
     stream = None if options.quiet else sys.stderr

@@ -18,7 +18,8 @@ of mean logarithms, so that changes are ratios; where points are on the same bed
 single run on a bed of its own, the scatter common to all points of the finding is taken. "No difference" is tested against a margin that is
 stated. A finding is supported or contradicted if its test, or the opposite's, is significant at 5 % (two-sided); otherwise the data leave it
 undecided. A place from which on nothing changes cannot be proved: it is supported if its 95 % interval holds it and ends before the largest x,
-so mind how wide that is. A finding is as strong as its weakest part."""
+so mind how wide that is. A finding is as strong as its weakest part. What findings count as runs are the values of beds: where a bed was hit in
+several places, their mean."""
 
 
 def drawStudy(plan, table, records, output):
@@ -36,14 +37,9 @@ def drawStudy(plan, table, records, output):
                'findings': [judged for group, data in zip(plan['groups'], groups) for judged in _findings(group, data)],
                'groups': [_group(group, data, records, output) for group, data in zip(plan['groups'], groups)]}
     results.writeJson(os.path.join(output, 'findings.json'), _clean(content))
-    _writeText(os.path.join(output, 'findings.md'), '\n'.join(_page(content)) + '\n')
+    with results.Replacing(os.path.join(output, 'findings.md')) as file:
+        file.write('\n'.join(_page(content)) + '\n')
     return content
-
-
-def _writeText(path, text):
-    with open(path + '.part', 'w', encoding='utf-8') as file:
-        file.write(text)
-    os.replace(path + '.part', path)
 
 
 def _checkNames(plan):
@@ -69,7 +65,7 @@ def _offThickness(done):
     """A sentence on the beds that are not as thick as they should be, if there are any. Those of a given number of particles may be."""
     aimed = done[done['particles'].isna()].drop_duplicates('bed')
     off = (aimed['H'] / aimed['thickness'] - 1).abs() > aimed['thicknessTolerance']
-    return [f'{int(off.sum())} beds are thicker or thinner than thicknessTolerance allows'] if off.any() else []
+    return [f'beds thicker or thinner than thicknessTolerance allows: {int(off.sum())}'] if off.any() else []
 
 
 def _cpuHours(done):

@@ -4,14 +4,15 @@ import json
 import math
 import os
 
-from ..bodies import particleShape
+from ..bodies import BLOCK_EXPONENT, particleShape
 from ..parameters import bedPart, checked, defaults, particleCount
 from ..results import writeJson
 from .studyfile import checkedSeeds
 
 PLAN = 'plan.json'
 RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
-SUPERQUADRICS = {(2.0, 2.0): ('ellipsoid', 'ellipsoid'), (8.0, 2.0): ('cylinder', 'cylinder'), (8.0, 8.0): ('cube', 'block')}
+# Exponents that a shape has by its name, and the names: with aspect 1, and with any other.
+NAMED = {(2.0, 2.0): ('ellipsoid', 'ellipsoid'), (BLOCK_EXPONENT, 2.0): ('cylinder', 'cylinder'), (BLOCK_EXPONENT, BLOCK_EXPONENT): ('cube', 'block')}
 
 
 def planOf(study, seeds=None):
@@ -113,8 +114,8 @@ def standard(parameters):
     if shape.asSphere:
         return {**parameters, 'n1': None, 'n2': None}
     exponents, regular = (shape.n1, shape.n2), parameters['aspect'] == 1
-    if exponents in SUPERQUADRICS:
-        return {**parameters, 'shape': SUPERQUADRICS[exponents][0 if regular else 1], 'n1': None, 'n2': None}
+    if exponents in NAMED:
+        return {**parameters, 'shape': NAMED[exponents][0 if regular else 1], 'n1': None, 'n2': None}
     return {**parameters, 'shape': 'cube' if regular else 'block', 'n1': shape.n1, 'n2': shape.n2}
 
 

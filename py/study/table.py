@@ -52,9 +52,8 @@ def rowOf(run, job, summary):
 
 def write(table, path):
     """Write the table as CSV; numbers keep all their digits. The file takes its name when it is complete."""
-    partial = f'{path}.part'
-    table.to_csv(partial, index=False, lineterminator='\n')
-    os.replace(partial, path)
+    with results.Replacing(path) as file:
+        table.to_csv(file, index=False, lineterminator='\n')
 
 
 def _measured(summary):

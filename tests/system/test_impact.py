@@ -233,3 +233,9 @@ def test_newRunInAFolderRemovesTheOldResults(tmp_path):
     (tmp_path / 'mine.txt').write_text('mine')
     sq.ImpactRun.begin({**SMALL, 'particles': 3}, str(tmp_path), stream=None)
     assert os.listdir(tmp_path) == ['mine.txt']
+
+
+def test_aFinishedBedIsNotPouredAgain(tmp_path):
+    done = script(tmp_path / 'new', '--bed', str(tmp_path), '--bedOnly')
+    message = done.communicate(timeout=100)[1]
+    assert done.returncode == 2 and 'bedOnly: the bed in' in message and not (tmp_path / 'new').exists()

@@ -127,7 +127,7 @@ def test_concernsAreTold(tmp_path):
     table.loc[table.index[3], ['H', 'particles']] = [1.0, 50]   # of a number of particles that was asked for
     drawStudy(plan, table, tmp_path, tmp_path)
     page = (tmp_path / 'findings.md').read_text()
-    for concern in ('1 impacts were on beds that were not at rest', '2 beds are thicker or thinner', '2 impacts were not over'):
+    for concern in ('1 impacts were on beds that were not at rest', 'beds thicker or thinner than thicknessTolerance allows: 2', '2 impacts were not over'):
         assert f'**Mind:** {concern}' in page
 
 
