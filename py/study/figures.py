@@ -5,8 +5,9 @@ import numpy
 
 from .. import checks
 from .curves import drawCurves
-from .quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, signed, xText
-from .statistics import contrast, meanInterval
+from .measure import Measure
+from .quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
+from .statistics import typicalValue
 from .style import COLOURS, MARKERS, newFigure, outerLegend, save
 
 KINDS = {'curves': ('panels', 'x', 'series'), 'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
@@ -93,7 +94,7 @@ def _drawTrend(data, series, values, quantities):
 
 
 def _drawLine(axes, data, name, values, y, index, place):
-    """Mean, interval and runs of a series; `place` moves it aside a little, so that bars do not cover each other."""
+    """Typical value, interval and runs of a series; `place` moves it aside a little, so that bars do not cover each other."""
     factor, colour = QUANTITIES[y].factor, COLOURS[index % len(COLOURS)]
     marker = MARKERS[index % len(MARKERS)]
     samples = [(x, factor * data.sample(y, name, x)) for x in values]
@@ -101,7 +102,7 @@ def _drawLine(axes, data, name, values, y, index, place):
     if not samples:
         return
     at = _moved(numpy.array([x for x, _ in samples], dtype=float), values, 0.016 * place)
-    estimates = [meanInterval(sample) for _, sample in samples]
+    estimates = [typicalValue(sample) for _, sample in samples]
     means = numpy.array([estimate.mean for estimate in estimates])
     axes.plot(at, means, marker=marker, ms=6.5, lw=1.6, color=colour, mec='white', mew=0.8, label=name or None, zorder=4)
     for x, (_, sample), estimate in zip(at, samples, estimates):
@@ -130,7 +131,7 @@ def _scaleAxes(axes, values, seen):
     low, high = min(seen), max(seen)
     if isLog(seen):
         axes.set_yscale('log')
-        axes.set_ylim(low / 1.4, None)   # an interval may reach to zero; the axis does not follow it
+        axes.set_ylim(max(low / 3, axes.get_ylim()[0]), min(3 * high, axes.get_ylim()[1]))   # that of three runs may be very wide
         axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
         axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: f'{y:g}'))
         axes.yaxis.set_minor_formatter(NullFormatter())
@@ -141,7 +142,7 @@ def _scaleAxes(axes, values, seen):
 
 
 def _drawVariants(data, series, values, quantities):
-    """Mean and interval of each variant, a row each, with the difference to the first one in words."""
+    """Typical value and interval of each variant, a row each, with the difference to the first one in words."""
     height = 0.5 + 0.42 * len(values) * len(series)
     figure, panels = newFigure(len(quantities), 1, 6.4, 1.3 + height)
     for column, (axes, y) in enumerate(zip(panels[0], quantities)):
@@ -153,7 +154,7 @@ def _drawVariants(data, series, values, quantities):
                 axes.annotate(_differenceText(data, y, name, first[1], x), (1.01, -row), xycoords=('axes fraction', 'data'),
                               va='center', fontsize=9, color='#444444')
             else:
-                axes.axvline(QUANTITIES[y].factor * data.sample(y, name, x).mean(), color='#bbbbbb', lw=1, zorder=0)
+                axes.axvline(QUANTITIES[y].factor * typicalValue(data.sample(y, name, x)).mean, color='#bbbbbb', lw=1, zorder=0)
         axes.set_yticks([-row for row in range(len(rows))],
                         [f'{name}: {xText(x)}' if name else xText(x) for name, x in rows] if column == 0 else [''] * len(rows))
         axes.set(xlabel=axisLabel(y), ylim=(0.6 - len(rows), 0.6))
@@ -164,7 +165,7 @@ def _drawVariants(data, series, values, quantities):
 
 def _drawVariant(axes, data, y, name, x, row, colour):
     sample = QUANTITIES[y].factor * data.sample(y, name, x)
-    estimate = meanInterval(sample)
+    estimate = typicalValue(sample)
     if len(sample) >= FEWEST:
         axes.plot([estimate.low, estimate.high], [row, row], color=colour, lw=2.2, solid_capstyle='butt', zorder=2)
     axes.plot(sample, numpy.full(len(sample), row - 0.2), 'o', ms=3, color=colour, alpha=0.5, mew=0)
@@ -172,11 +173,7 @@ def _drawVariant(axes, data, y, name, x, row, colour):
 
 
 def _differenceText(data, y, name, first, x):
-    """'+12.3 [-4.5, 29.1] N': the difference of a variant's mean to the first one's, with its interval; bed by bed where both are on the
-    same beds."""
-    difference = contrast([data.sample(y, name, first), data.sample(y, name, x)], [-1, 1])
-    unit, factor = QUANTITIES[y].unit, QUANTITIES[y].factor
-    middle = signed(factor * difference.estimate)
-    if not difference.error >= 0:
-        return f'{middle} {unit}'.rstrip() + ' (no interval)'
-    return f'{middle} [{signed(factor * difference.low)}, {signed(factor * difference.high)}] {unit}'.rstrip()
+    """'+12.3 % [-4.5, 29.1]': the difference of a variant to the first one, with its interval; bed by bed where both are on the same beds."""
+    samples = [data.sample(y, name, first), data.sample(y, name, x)]
+    measure = Measure(y, samples)
+    return measure.text(measure.contrast(samples, [-1, 1]))

@@ -7,13 +7,14 @@ from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
 from .quantities import QUANTITIES, axisLabel, isNumber, plain, xText
-from .statistics import meanInterval
+from .statistics import typicalValue
 
 COLUMNS = ('peak', 'C0', 'duration', 'H')   # of the table of points; the first one with its interval
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
 CONCERNS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
 METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
-Pictures have bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
+Points in pictures and tables are geometric means over the beds where all values are positive (curves of the force: arithmetic ones); pictures have
+bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
 of mean logarithms, so that changes are ratios; where points are on the same beds, Student's of the differences bed by bed; where a point has a
 single run on a bed of its own, the scatter common to all points of the finding is taken. "No difference" is tested against a margin that is
 stated. A finding is supported or contradicted if its test, or the opposite's, is significant at 5 % (two-sided); otherwise the data leave it
@@ -99,7 +100,7 @@ def _points(data):
                 point = {'series': name, 'x': x, 'beds': number}
                 for y in COLUMNS:
                     sample = data.sample(y, name, x)
-                    point[y] = meanInterval(sample)._asdict() if len(sample) else None
+                    point[y] = typicalValue(sample)._asdict() if len(sample) else None
                 points.append(point)
     return points
 

@@ -16,7 +16,7 @@ PERMUTATIONS = 9999
 SEED = 20180501      # of the permutations, where values are equal: the same data give the same p values
 
 Estimate = namedtuple('Estimate', 'mean low high number')
-Estimate.__doc__ = """Mean of a sample with its interval; low and high are nan for a single value: there is none."""
+Estimate.__doc__ = """Mean of a sample, arithmetic or geometric, with its interval; low and high are nan for a single value: there is none."""
 
 Trend = namedtuple('Trend', 'share rises falls')
 Trend.__doc__ = """A monotone trend of y over x: share: of the pairs of runs with different x, those that rise less those that fall, -1 to 1;
@@ -51,6 +51,14 @@ def meanInterval(sample, level=LEVEL):
         return Estimate(mean, math.nan, math.nan, number)
     reach = float(stats.t.ppf(0.5 + level / 2, number - 1) * sample.std(ddof=1) / math.sqrt(number))
     return Estimate(mean, mean - reach, mean + reach, number)
+
+
+def typicalValue(sample):
+    """`Estimate` of a sample as findings compare it: where all values are positive the geometric mean, by the interval of the logarithms'
+    mean, for scatter goes with the size; so no interval of theirs reaches zero. Else the mean."""
+    if numpy.min(sample) > 0:
+        return Estimate(*numpy.exp(meanInterval(numpy.log(sample))[:3]).tolist(), len(sample))
+    return meanInterval(sample)
 
 
 def pooledVariance(samples):

@@ -18,7 +18,7 @@ from yade.superquadric.study.curves import meanCurve, readRecord
 from yade.superquadric.study.figures import _differenceText, checkFigure, drawFigure
 from yade.superquadric.study.groupdata import GroupData
 from yade.superquadric.study.page import drawStudy
-from yade.superquadric.study.quantities import QUANTITIES, signed
+from yade.superquadric.study.quantities import QUANTITIES
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GROUP = {'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
@@ -76,8 +76,9 @@ def test_pageHoldsFiguresPointsAndFindings(drawn):
     assert '- above: peak force: **supported** (18 runs).' in page
     table = pandas.read_csv(drawn / 'results.csv')
     cubes = table[table['run'].str.startswith('thickness-cube-0.008-')]['peak'] / 1000
-    reach = 4.302653 * cubes.std() / math.sqrt(3)
-    assert f'| cube | 0.008 | 3 | {cubes.mean():.2f} [{cubes.mean() - reach:.2f}, {cubes.mean() + reach:.2f}] | 0.6' in page
+    middle, reach = numpy.log(cubes).mean(), 4.302653 * numpy.log(cubes).std() / math.sqrt(3)   # Student's t, two degrees of freedom
+    low, mean, high = (f'{math.exp(value):.2f}' for value in (middle - reach, middle, middle + reach))
+    assert f'| cube | 0.008 | 3 | {mean} [{low}, {high}] | 0.6' in page
 
 
 def test_findingsForMachines(drawn):
@@ -193,11 +194,11 @@ def test_differenceToTheFirstVariantIsPaired():
     group, rows = syntheticstudy.group('g', lambda s, x: 1000 if x == 'as it is' else 1100, ['as it is', 'softer'], [''], [1, 2, 3],
                                        xName='variant', bedScatter=0.3, scatter=0.001)
     data = GroupData(group, syntheticstudy.study((group, rows))[1])
-    first, other = (data.sample('peak', '', x) for x in data.values)
+    first, other = (numpy.log(data.sample('peak', '', x)) for x in data.values)
     interval = stats.ttest_rel(other, first).confidence_interval(0.95)
     text = _differenceText(data, 'peak', '', 'as it is', 'softer')
-    low, middle, high = (signed(1e-3 * value) for value in (interval.low, (other - first).mean(), interval.high))
-    assert text == f'{middle} [{low}, {high}] kN'
+    low, middle, high = (f'{100 * math.expm1(value):+.1f}' for value in (interval.low, (other - first).mean(), interval.high))
+    assert text == f'{middle} % [{low}, {high}]'
 
 
 def test_trendNeedsAnAxis():

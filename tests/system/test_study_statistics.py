@@ -39,6 +39,14 @@ def test_intervalOfAMeanCoversIt():
         assert numpy.mean([e.low <= 7 <= e.high for e in estimates]) == pytest.approx(0.95, abs=0.013)
 
 
+def test_typicalValueOfPositiveOnesIsGeometric():
+    sample = [0.5, 1.0, 4.0]
+    estimate, logs = statistics.typicalValue(sample), statistics.meanInterval(numpy.log(sample))
+    assert estimate.mean == pytest.approx(2 ** (1 / 3)) and estimate.number == 3
+    assert 0 < estimate.low == pytest.approx(math.exp(logs.low)) and estimate.high == pytest.approx(math.exp(logs.high))
+    assert statistics.typicalValue([-1.0, 2.0]) == statistics.meanInterval([-1.0, 2.0])
+
+
 def test_singleValueHasNoInterval():
     estimate = statistics.meanInterval([3.0])
     assert estimate.mean == 3 and estimate.number == 1 and math.isnan(estimate.low) and math.isnan(estimate.high)
