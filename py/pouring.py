@@ -9,6 +9,8 @@ from .engines import criticalTimeStep, superquadricEngines
 from .filling import DENSEST, rainFilling
 from .parameters import materialOf, shapeOf
 
+MOST_POURS = 6      # of a bed whose thickness is not the one aimed at, before the best one is taken
+SOFT_SHARE = 0.8    # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
 DENSE = 0.99 * DENSEST  # only a bed that would not fit if it packed as densely is refused
 
 
@@ -31,3 +33,21 @@ def rain(parameters, count):
     O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']))
     O.dt = p['timeStepFraction'] * criticalTimeStep()
     return filled
+
+
+def nextCount(pours, thickness, tolerance):
+    """How many particles to pour after the `pours` so far, a list of {'number', 'thickness' [m]}; None if the last one is the bed.
+
+    That is so when its thickness is the one aimed at within SOFT_SHARE of the relative `tolerance`. When there is no new number to try,
+    or after MOST_POURS, the best pour is repeated: the same number gives the same bed.
+    """
+    def error(pour):
+        return abs(pour['thickness'] / thickness - 1)
+
+    last, best = pours[-1], min(pours, key=error)
+    if error(last) <= SOFT_SHARE * tolerance:
+        return None
+    better = max(1, round(last['number'] * thickness / last['thickness']))
+    if len(pours) < MOST_POURS and better not in [pour['number'] for pour in pours]:
+        return better
+    return None if best['number'] == last['number'] else best['number']

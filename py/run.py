@@ -15,14 +15,12 @@ from .container import Container, setHeight
 from .engines import engine, solverCounters
 from .impact import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
 from .parameters import bedPart, checked, criticalImpactStep, materialOf, particleCount
-from .pouring import rain
+from .pouring import nextCount, rain
 from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, setYoung, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
-MOST_POURS = 6      # of a bed whose thickness is not the one aimed at
-SOFT_SHARE = 0.8    # of thicknessTolerance is what the soft bed may be off; the rest is for what it swells by when it gets stiff
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
 
 
@@ -194,16 +192,13 @@ class ImpactRun:
             self.stepper.plan['pour'] = self._plan()['pour']
 
     def _betterCount(self):
-        """How many particles to pour instead, None if the thickness is the one aimed at or cannot be told to be better."""
-        p, pours, count = self.parameters, self.state['pours'], len(self.ids)
+        """How many particles to pour instead, None if this is the bed."""
+        p, pours = self.parameters, self.state['pours']
         thickness = measureBed(Snapshot.ofBodies(self.ids), self.container)['thickness']
-        pours.append({'number': count, 'thickness': thickness})
-        if p['particles'] is not None or abs(thickness / p['thickness'] - 1) <= SOFT_SHARE * p['thicknessTolerance']:
-            return None
-        better = max(1, round(count * p['thickness'] / thickness))
-        if len(pours) == MOST_POURS or better in [pour['number'] for pour in pours]:
-            return None
-        self._say(f'thickness {1e3 * thickness:.2f} mm instead of {1e3 * p["thickness"]:.2f} mm: {better} particles are poured instead')
+        pours.append({'number': len(self.ids), 'thickness': thickness})
+        better = nextCount(pours, p['thickness'], p['thicknessTolerance']) if p['particles'] is None else None
+        if better is not None:
+            self._say(f'thickness {1e3 * thickness:.2f} mm instead of {1e3 * p["thickness"]:.2f} mm: {better} particles are poured instead')
         return better
 
     def _stiffen(self):

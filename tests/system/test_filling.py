@@ -8,6 +8,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
+from yade.superquadric.pouring import nextCount
 
 MATERIAL = dict(young=1e7, poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1,
                 tangentialDamping=0.1, rollingFriction=0.002)
@@ -124,3 +125,23 @@ def test_measuresOfAKnownBed(material):
     solid = sum(O.bodies[i].state.mass for i in ids) / 2500
     assert bed['thickness'] == pytest.approx(0.02, rel=0.04)  # rounded edges take a little off the mean level
     assert bed['packingFraction'] == pytest.approx(solid / (0.04 ** 2 * bed['thickness']), rel=1e-9)
+
+
+def pours(*numbersAndThicknesses):
+    return [{'number': number, 'thickness': thickness} for number, thickness in numbersAndThicknesses]
+
+
+def test_nextNumberOfParticlesToPour():
+    assert nextCount(pours((100, 0.0102)), 0.01, 0.03) is None
+    assert nextCount(pours((100, 0.0125)), 0.01, 0.03) == 80
+    assert nextCount(pours((100, 0.0125), (80, 0.0098)), 0.01, 0.03) is None
+
+
+def test_bestPourIsRepeatedWhenNoNumberIsLeft():
+    """80 and 84 ask for each other; 80 is nearer."""
+    turns = pours((80, 0.0095), (84, 0.0106))
+    assert nextCount(turns[:1], 0.01, 0.03) == 84 and round(84 * 0.01 / 0.0106) == 79
+    six = turns + pours((79, 0.0088), (90, 0.013), (69, 0.0075), (92, 0.0135))
+    assert nextCount(six, 0.01, 0.03) == 80
+    assert nextCount(six + turns[:1], 0.01, 0.03) is None
+    assert nextCount(pours((80, 0.0096), (84, 0.0105)), 0.01, 0.03) == 80 == round(84 * 0.01 / 0.0105)
