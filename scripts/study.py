@@ -1,4 +1,4 @@
-"""Run a study: many beds and impacts, on all cores or a cluster, and from them a table, figures and findings.
+"""Run a study: many beds and runs on them, impacts for example, on all cores or a cluster, and from them a table, figures and findings.
 
     tools/env --with study scripts/study.py scripts/study/quick.yaml --output results/quick
 
@@ -54,7 +54,7 @@ class Snakemake:
         """Make the target of the Snakefile. Returns whether all of it was made."""
         if self.stopped:
             return False
-        # Dates are for table and figures; beds and impacts that are there are no jobs at all. When this process is killed snakemake
+        # Dates are for table and figures; beds and runs that are there are no jobs at all. When this process is killed snakemake
         # dies as well, and then its jobs leave a checkpoint.
         self._process = subprocess.Popen(
             ['setpriv', '--pdeathsig', 'KILL', 'snakemake', target, '--snakefile', SNAKEFILE, '--directory', self.folder, *self._limits,
@@ -95,14 +95,12 @@ def removeDamaged(plan, folder):
         except (ValueError, KeyError, TypeError):
             os.remove(path)
             yield f'{path}: damaged; the bed is made again'
-    for run, job in plan['runs'].items():
-        path = table.summaryPath(folder, run)
+    for run in table.finishedRuns(plan, folder):
         try:
-            if os.path.exists(path):
-                table.readSummary(path, job['parameters'])
+            table.readSummary(plan, folder, run)
         except ValueError as error:
-            os.remove(path)
-            yield f'{error}; the impact is done again'
+            os.remove(table.summaryPath(plan, folder, run))
+            yield f'{error}; the run is done again'
 
 
 def conclusions(folder):
@@ -146,22 +144,22 @@ def main():
 def run(plan, folder, options):
     """Make what is missing of the study, then table and figures from what there is. Returns the exit code."""
     snakemake = Snakemake(folder, options)
-    finished = [run for run in plan['runs'] if os.path.exists(table.summaryPath(folder, run))]
-    print(f'{len(plan["runs"])} impacts on {len(plan["beds"])} beds; {len(finished)} impacts are finished', flush=True)
+    what, finished = plan['folder'], table.finishedRuns(plan, folder)
+    print(f'{len(plan["runs"])} {what} on {len(plan["beds"])} beds; {len(finished)} {what} are finished', flush=True)
     if options.dry_run:
         return 0 if snakemake.run('runs', '--dry-run', '--quiet', 'rules') else FAILED
     complete = snakemake.run('runs', *SHOWN)
-    finished = [run for run in plan['runs'] if os.path.exists(table.summaryPath(folder, run))]
+    finished = table.finishedRuns(plan, folder)
     drawn = bool(finished) and snakemake.run('page', *SHOWN, '--config', 'finishedOnly=1')
     if snakemake.stopped:
-        print(f'Stopped; {len(finished)} of {len(plan["runs"])} impacts are finished. The same command goes on.', file=sys.stderr)
+        print(f'Stopped; {len(finished)} of {len(plan["runs"])} {what} are finished. The same command goes on.', file=sys.stderr)
         return INTERRUPTED
     if drawn:
         print(*conclusions(folder), sep='\n')
         print(f'results       {folder}/results.csv, {folder}/figures/findings.md')
     if complete and drawn:
         return 0
-    print(f'study.py: not all was made: {len(finished)} of {len(plan["runs"])} impacts are finished'
+    print(f'study.py: not all was made: {len(finished)} of {len(plan["runs"])} {what} are finished'
           f'{" and in the table" if drawn else ""}. What went wrong is in {folder}/logs; the same command tries again.', file=sys.stderr)
     return FAILED
 

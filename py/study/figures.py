@@ -4,37 +4,38 @@ import re
 import numpy
 
 from .. import checks
-from .curves import drawCurves
 from .measure import Measure
 from .quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
 from .statistics import typicalValue
 from .style import COLOURS, MARKERS, newFigure, outerLegend, save
 
-KINDS = {'curves': ('panels', 'x', 'series'), 'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
+KINDS = {'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
+OF_RECORDS = ('panels', 'x', 'series')   # keys of the kinds that an experiment draws from its records
 PANELS = ('series', 'x')
 LOG_RATIO = 8       # an axis is logarithmic if its largest value is that many times its smallest
 FEWEST = 3          # runs for an interval in a picture: that of two is 13 standard errors wide and hides all else
 
 
 def checkFigure(name, spec, group):
-    """`spec` if it can be drawn for `group`: {'series': [names], 'xName': name, 'values': [of x]}.
+    """`spec` if it can be drawn for `group`: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}.
 
     :raises ValueError: a name that makes no file name, unknown kind, key, quantity, series or x
     """
+    kinds = {**dict.fromkeys(group['experiment'].drawings, OF_RECORDS), **KINDS}
     if not isinstance(name, str) or not re.fullmatch(r'[A-Za-z0-9][A-Za-z0-9._-]*', name):
         raise ValueError(f'figure = {name!r}: must be made of letters, digits, ".", "_" and "-", it becomes a file\'s name')
     if not isinstance(spec, dict) or 'kind' not in spec:
-        raise ValueError(f'{name} = {spec!r}: a figure needs a kind, one of {", ".join(KINDS)}')
-    kind = checks.oneOf('kind', spec['kind'], tuple(KINDS))
+        raise ValueError(f'{name} = {spec!r}: a figure needs a kind, one of {", ".join(kinds)}')
+    kind = checks.oneOf('kind', spec['kind'], tuple(kinds))
     for key in spec:
-        if key != 'kind' and key not in KINDS[kind]:
-            raise ValueError(f'{key} = {spec[key]!r}: figures of kind {kind} know only {", ".join(KINDS[kind])}')
+        if key != 'kind' and key not in kinds[kind]:
+            raise ValueError(f'{key} = {spec[key]!r}: figures of kind {kind} know only {", ".join(kinds[kind])}')
     if kind == 'trend' and not allNumbers(group['values']):
         raise ValueError(f'kind = {kind!r}: x must be numbers for it, {group["xName"]} has {group["values"]!r}; use variants')
     checks.oneOf('panels', spec.get('panels', 'series'), PANELS)
-    if 'y' in KINDS[kind]:
+    if 'y' in kinds[kind]:
         for y in _listed('y', spec.get('y')):
-            checkQuantity('y', y)
+            checkQuantity('y', y, group['experiment'].columns())
     for key, known in (('series', group['series']), ('x', group['values'])):
         for value in _listed(key, spec[key]) if key in spec else ():
             checks.oneOf(key, value, tuple(known))
@@ -50,10 +51,10 @@ def _listed(key, values):
     return values
 
 
-def drawFigure(path, spec, data, records):
+def drawFigure(path, spec, data, records, experiment):
     """Draw a figure that `checkFigure` accepted.
 
-    :param path: of the PNG; :param data: the group's `GroupData`; :param records: folder of the impacts' folders
+    :param path: of the PNG; :param data: the group's `GroupData`; :param records: folder of the runs' folders; :param experiment: `Experiment`
     :returns: number of runs in it; 0: nothing was drawn
     """
     series = spec.get('series', data.series)
@@ -62,8 +63,8 @@ def drawFigure(path, spec, data, records):
     if used.empty:
         return 0
     series = [name for name in series if name in set(used['series'])]
-    if spec['kind'] == 'curves':
-        figure = drawCurves(data, series, values, spec.get('panels', 'series'), records)
+    if spec['kind'] in experiment.drawings:
+        figure = experiment.drawings[spec['kind']](data, series, values, spec.get('panels', 'series'), records)
     else:
         figure = (_drawTrend if spec['kind'] == 'trend' else _drawVariants)(data, series, values, spec['y'])
     save(figure, path)

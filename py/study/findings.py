@@ -30,7 +30,7 @@ STRENGTH = ('contradicted', 'undecided', 'supported')   # a finding is as strong
 
 
 def checkFinding(finding, group):
-    """`finding`, its numbers as such, if it can be tested in `group`: {'series': [names], 'xName': name, 'values': [of x]}.
+    """`finding`, its numbers as such, if it can be tested in `group`: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}.
 
     :raises ValueError: unknown test, key, quantity or series, a missing key, a value that cannot be
     """
@@ -40,7 +40,7 @@ def checkFinding(finding, group):
         if key not in finding:
             raise ValueError(f'{key} = None: a finding needs it ({finding!r})')
     test = TESTS.get(checks.oneOf('test', finding['test'], tuple(TESTS)))
-    checkQuantity('y', finding['y'])
+    checkQuantity('y', finding['y'], group['experiment'].columns())
     known = COMMON + test.required + test.optional
     for key in finding:
         if key not in known:

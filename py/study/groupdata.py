@@ -48,8 +48,8 @@ class GroupData:
 
 
 def _complete(runs):
-    """Those of the planned `runs` whose bed was hit on all its places: means over some of them only would not compare."""
-    finished = runs['peak'].notna().groupby([runs['series'], runs['x'], runs['seed']]).transform('all')
+    """Those of the planned `runs` whose bed has all its runs of the point: means over some of them only would not compare."""
+    finished = runs['bed'].notna().groupby([runs['series'], runs['x'], runs['seed']]).transform('all')
     return runs[finished.astype(bool)].reset_index(drop=True)
 
 

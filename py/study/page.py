@@ -3,15 +3,14 @@ import math
 import os
 
 from .. import results
+from .experiments import experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
 from .quantities import QUANTITIES, axisLabel, isNumber, plain, xText
 from .statistics import typicalValue
 
-COLUMNS = ('peak', 'C0', 'duration', 'H')   # of the table of points; the first one with its interval
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
-CONCERNS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
 METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
 Points in pictures and tables are geometric means over the beds where all values are positive (curves of the force: arithmetic ones); pictures have
 bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
@@ -27,16 +26,16 @@ def drawStudy(plan, table, records, output):
     """Write the figures (PNG), findings.json, and at last findings.md into the folder `output`.
 
     :param plan: dict as in plan.json; :param table: DataFrame, one row per finished run
-    :param records: folder with a folder for each run, which holds its force.csv
+    :param records: folder with a folder for each run, which holds its record
     :returns: dict as in findings.json
     :raises ValueError: two figures have the same name, a record cannot be used
     """
     _checkNames(plan)
     os.makedirs(output, exist_ok=True)
-    groups = [GroupData(group, table) for group in plan['groups']]
-    content = {'title': plan['title'], **_header(plan, table),
+    experiment, groups = experimentOf(plan), [GroupData(group, table) for group in plan['groups']]
+    content = {'title': plan['title'], 'shown': experiment.shown, **_header(experiment, plan, table),
                'findings': [judged for group, data in zip(plan['groups'], groups) for judged in _findings(group, data)],
-               'groups': [_group(group, data, records, output) for group, data in zip(plan['groups'], groups)]}
+               'groups': [_group(experiment, group, data, records, output) for group, data in zip(plan['groups'], groups)]}
     results.writeJson(os.path.join(output, 'findings.json'), _clean(content))
     with results.Replacing(os.path.join(output, 'findings.md')) as file:
         file.write('\n'.join(_page(content)) + '\n')
@@ -50,38 +49,29 @@ def _checkNames(plan):
             raise ValueError(f'figure = {name!r}: two groups have a figure of this name')
 
 
-def _header(plan, table):
+def _header(experiment, plan, table):
     """What all of the study's runs took, and what computed them."""
     done = table[table['run'].isin(plan['runs'])]
     return {'runs': len(done), 'plannedRuns': len(plan['runs']), 'beds': int(done['bed'].nunique()),
-            'cpuHours': _cpuHours(done),
+            'cpuHours': _cpuHours(experiment, done),
             'versions': {name: sorted(set(done[column].astype(str))) for column, name in VERSIONS.items()},
-            'concerns': [f'{int((done[column] == bad).sum())} {text}' for column, bad, text in CONCERNS if (done[column] == bad).any()]
-            + _offThickness(done)
-            + ([f'{int((done["uncertified"] > 0).sum())} runs have contact solutions without a certificate']
-               if (done['uncertified'] > 0).any() else [])}
+            'concerns': experiment.concerns(done) + ([f'{int((done["uncertified"] > 0).sum())} runs have contact solutions without a certificate']
+                                                     if (done['uncertified'] > 0).any() else [])}
 
 
-def _offThickness(done):
-    """A sentence on the beds that are not as thick as they should be, if there are any. Those of a given number of particles may be."""
-    aimed = done[done['particles'].isna()].drop_duplicates('bed')
-    off = (aimed['H'] / aimed['thickness'] - 1).abs() > aimed['thicknessTolerance']
-    return [f'beds thicker or thinner than thicknessTolerance allows: {int(off.sum())}'] if off.any() else []
-
-
-def _cpuHours(done):
-    """Time of all impacts and of each bed once, times the threads."""
+def _cpuHours(experiment, done):
+    """Time of all runs and of each bed once, times the threads."""
     beds = done.drop_duplicates('bed')
-    return float((done['impactSeconds'] * done['threads']).sum() + (beds['bedSeconds'] * beds['threads']).sum()) / 3600
+    return float((done[experiment.runSeconds] * done['threads']).sum() + (beds['bedSeconds'] * beds['threads']).sum()) / 3600
 
 
-def _group(group, data, records, output):
+def _group(experiment, group, data, records, output):
     figures = []
     for name, spec in (group.get('figures') or {}).items():
-        used = drawFigure(os.path.join(output, name + '.png'), spec, data, records)
+        used = drawFigure(os.path.join(output, name + '.png'), spec, data, records, experiment)
         figures.append({'name': name, 'kind': spec['kind'], 'runs': used, 'file': f'{name}.png' if used else None})
     return {'name': data.name, 'title': data.title, 'xName': data.xName, 'runs': len(data.runs), 'plannedRuns': data.planned,
-            'figures': figures, 'points': _points(data)}
+            'figures': figures, 'points': _points(data, experiment.shown)}
 
 
 def _findings(group, data):
@@ -90,15 +80,15 @@ def _findings(group, data):
         yield {'group': data.name, **judge(finding, data), 'paper': paper}
 
 
-def _points(data):
-    """For each finished point: series, x, beds, and of each of COLUMNS mean, low, high in SI units."""
+def _points(data, shown):
+    """For each finished point: series, x, beds, and of each of the columns `shown` mean, low, high in SI units."""
     points = []
     for name in data.series:
         for x in data.values:
             number = data.rows(name, x)['bed'].nunique()
             if number:
                 point = {'series': name, 'x': x, 'beds': number}
-                for y in COLUMNS:
+                for y in shown:
                     sample = data.sample(y, name, x)
                     point[y] = typicalValue(sample)._asdict() if len(sample) else None
                 points.append(point)
@@ -114,7 +104,7 @@ def _page(content):
         lines += [f'## {group["title"]}', '', f'{group["runs"]} of {group["plannedRuns"]} runs.', '']
         for figure in group['figures']:
             lines += _figureLines(figure)
-        lines += _tableLines(group) + _findingLines(content, group)
+        lines += _tableLines(group, content['shown']) + _findingLines(content, group)
     return lines
 
 
@@ -139,25 +129,25 @@ def _figureLines(figure):
     return [f'![{figure["name"]}]({figure["file"]})', '', f'*{figure["name"]}: {figure["runs"]} runs.*', '']
 
 
-def _tableLines(group):
+def _tableLines(group, shown):
     if not group['points']:
         return []
-    heads = [group['xName'], 'beds'] + [axisLabel(y).replace('$', '').replace('_', '') for y in COLUMNS]
+    heads = [group['xName'], 'beds'] + [axisLabel(y).replace('$', '').replace('_', '') for y in shown]
     named = any(point['series'] for point in group['points'])
     heads = ['series'] * named + heads
     lines = ['| ' + ' | '.join(heads) + ' |', '|' + ' --- |' * len(heads)]
     for point in group['points']:
-        cells = [point['series']] * named + [xText(point['x']), str(point['beds'])] + [_cell(y, point[y]) for y in COLUMNS]
+        cells = [point['series']] * named + [xText(point['x']), str(point['beds'])] + [_cell(y, point[y], y == shown[0]) for y in shown]
         lines.append('| ' + ' | '.join(map(_escaped, cells)) + ' |')
     return lines + ['']
 
 
-def _cell(y, estimate):
+def _cell(y, estimate, withInterval):
     if estimate is None:
         return '-'
     factor = QUANTITIES[y].factor
     mean = plain(factor * estimate['mean'])
-    if y != COLUMNS[0] or math.isnan(estimate['low']):
+    if not withInterval or math.isnan(estimate['low']):
         return mean
     return f'{mean} [{plain(factor * estimate["low"])}, {plain(factor * estimate["high"])}]'
 

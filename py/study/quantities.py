@@ -36,10 +36,11 @@ X_LABELS = {'thickness': 'thickness $H$ [m]', 'aspect': 'aspect ratio $c/a$', 'n
             'n': 'exponent $n$', 'friction': 'coefficient of friction', 'speed': 'speed $V_0$ [m/s]'}
 
 
-def checkQuantity(name, value):
-    """`value` if it is a quantity's name."""
-    if not isinstance(value, str) or value not in QUANTITIES:
-        raise ValueError(f'{name} = {value!r}: must be one of {", ".join(QUANTITIES)}')
+def checkQuantity(name, value, columns):
+    """`value` if it is the name of a quantity that is among the `columns` of the table."""
+    known = [quantity for quantity in QUANTITIES if quantity in columns]
+    if not isinstance(value, str) or value not in known:
+        raise ValueError(f'{name} = {value!r}: must be one of {", ".join(known)}')
     return value
 
 

@@ -7,11 +7,11 @@ import re
 import yaml
 
 from .. import checks
-from ..parameters import defaults
+from .experiments import EXPERIMENTS
 from .figures import checkFigure
 from .findings import checkFinding
 
-STUDY_KEYS = ('title', 'base', 'seeds', 'places', 'groups', 'validations')
+STUDY_KEYS = ('title', 'experiment', 'base', 'seeds', 'places', 'groups', 'validations')
 GROUP_KEYS = ('title', 'base', 'x', 'variants', 'xLabel', 'series', 'seeds', 'places', 'figures', 'findings')
 NAME = re.compile(r'[A-Za-z0-9][A-Za-z0-9_-]*')  # of a group: files are named after it
 
@@ -49,16 +49,18 @@ def checkedStudy(content):
     """Check the content of a study file; the study with all optional entries filled in and numbers as numbers.
 
     :param content: dict, as read from the file
-    :returns: dict with title, base, seeds, validations and groups; each group with all of GROUP_KEYS (x or variants is None) and
+    :returns: dict with title, experiment (its name), base, seeds, validations and groups; each group with all of GROUP_KEYS (x or variants is None) and
         its name
     :raises ValueError: naming the place and what is wrong there
     """
     study = _keys('study file', content, STUDY_KEYS, ('title', 'groups'))
+    experiment = EXPERIMENTS[checks.oneOf('experiment', study.get('experiment', 'impact'), tuple(EXPERIMENTS))]
     seeds, places = checkedSeeds('seeds', study.get('seeds', [1])), _place('places', study.get('places', 1))
     groups = _mapping('groups', study['groups'])
-    result = {'title': _text('title', study['title']), 'base': _parameters('base', study.get('base', {})), 'seeds': seeds,
-              'validations': _validations(study.get('validations', {})),
-              'groups': [_group(name, group, seeds, places) for name, group in groups.items()]}
+    result = {'title': _text('title', study['title']), 'experiment': experiment.name,
+              'base': _parameters(experiment, 'base', study.get('base', {})), 'seeds': seeds,
+              'validations': _validations(experiment, study.get('validations', {})),
+              'groups': [_group(experiment, name, group, seeds, places) for name, group in groups.items()]}
     _checkFigureNames(result['groups'])
     return result
 
@@ -83,32 +85,32 @@ def _places(key, value, count):
     return [_place(key, one) for one in value]
 
 
-def _validations(content):
-    flags = _keys('validations', content, ('cylinderOnPlane',))
+def _validations(experiment, content):
+    flags = _keys('validations', content, tuple(experiment.validations))
     for name, flag in flags.items():
         if not isinstance(flag, bool):
             raise ValueError(f'validations.{name} = {flag!r}: must be true or false')
     return flags
 
 
-def _group(name, content, seeds, places):
+def _group(experiment, name, content, seeds, places):
     place = f'groups.{_name("groups", name)}'
     group = _keys(place, content, GROUP_KEYS)
     if ('x' in group) == ('variants' in group):
         raise ValueError(f'{place}: needs either x or variants')
     result = {'name': name, 'title': _text(f'{place}.title', group.get('title', name)),
-              'base': _parameters(f'{place}.base', group.get('base', {})), 'x': None, 'variants': None,
+              'base': _parameters(experiment, f'{place}.base', group.get('base', {})), 'x': None, 'variants': None,
               'seeds': checkedSeeds(f'{place}.seeds', group['seeds']) if 'seeds' in group else seeds}
     if 'x' in group:
-        result['x'] = xName, _ = _x(f'{place}.x', group['x'])
+        result['x'] = xName, _ = _x(experiment, f'{place}.x', group['x'])
     else:
         xName = 'variant'
-        result['variants'] = {_text(f'{place}.variants', key): _parameters(f'{place}.variants.{key}', values)
+        result['variants'] = {_text(f'{place}.variants', key): _parameters(experiment, f'{place}.variants.{key}', values)
                               for key, values in _mapping(f'{place}.variants', group['variants']).items()}
     result['xLabel'] = _text(f'{place}.xLabel', group['xLabel']) if 'xLabel' in group else None
     result['places'] = _places(f'{place}.places', group.get('places', places), len(result['variants'] or result['x'][1]))
-    result['series'] = _seriesOf(place, group, xName)
-    shape = {'series': list(result['series']), 'xName': xName, 'values': list(result['variants'] or result['x'][1])}
+    result['series'] = _seriesOf(experiment, place, group, xName)
+    shape = {'experiment': experiment, 'series': list(result['series']), 'xName': xName, 'values': list(result['variants'] or result['x'][1])}
     figures = _mapping(f'{place}.figures', group.get('figures', {}), mayBeEmpty=True)
     result['figures'] = {key: _accepted(f'{place}.figures.{key}', checkFigure, key, figure, shape) for key, figure in figures.items()}
     findings = _list(f'{place}.findings', group.get('findings', []), mayBeEmpty=True)
@@ -125,7 +127,7 @@ def _checkFigureNames(groups):
                 raise ValueError(f'groups.{group["name"]}.figures.{name}: groups.{owner[name]} has a figure of that name')
 
 
-def _x(place, content):
+def _x(experiment, place, content):
     """(name, values) of the entry `x`: one name and its list of numbers."""
     if len(_mapping(place, content)) != 1:
         raise ValueError(f'{place} = {content!r}: must have one name, with the list of its values')
@@ -133,34 +135,35 @@ def _x(place, content):
     name = _text(place, name)
     if name == 'seed':
         raise ValueError(f'{place} = {content!r}: seeds are given by seeds')
-    if name in defaults() and not isinstance(defaults()[name], (int, float, type(None))) or name == 'shape':
+    known = experiment.defaults()
+    if name in known and not isinstance(known[name], (int, float, type(None))) or name == 'shape':
         raise ValueError(f'{place} = {content!r}: {name} is no number; use series or variants')
     return name, _different(place, [_number(f'{place}.{name}', value) for value in _list(f'{place}.{name}', values)])
 
 
-def _seriesOf(place, group, xName):
+def _seriesOf(experiment, place, group, xName):
     """{name: (parameters, names of the parameters that take x)} of the group's series."""
-    if 'series' not in group and 'variants' not in group and xName not in defaults():
+    if 'series' not in group and 'variants' not in group and xName not in experiment.defaults():
         raise ValueError(f'{place}.x: {xName} is no parameter; series that say what they vary are needed')
     content = _mapping(f'{place}.series', group.get('series', {'': {}}))
     return {_text(f'{place}.series', name, mayBeEmpty='series' not in group):
-            _oneSeries(f'{place}.series.{name}', one, xName, 'x' in group) for name, one in content.items()}
+            _oneSeries(experiment, f'{place}.series.{name}', one, xName, 'x' in group) for name, one in content.items()}
 
 
-def _oneSeries(place, content, xName, hasX):
+def _oneSeries(experiment, place, content, xName, hasX):
     one = dict(_mapping(place, content, mayBeEmpty=True))
     vary = one.pop('vary', None)
-    parameters = _parameters(place, one)
+    parameters = _parameters(experiment, place, one)
     if not hasX:
         if vary is not None:
             raise ValueError(f'{place}.vary = {vary!r}: a group of variants has no x to vary')
         return parameters, []
     if vary is None:
-        if xName not in defaults():
+        if xName not in experiment.defaults():
             raise ValueError(f'{place}: {xName} is no parameter; vary must say which parameters take its values')
         vary = [xName]
     names = _different(f'{place}.vary', [_text(f'{place}.vary', name) for name in _list(f'{place}.vary', vary)])
-    vary = list(_parameters(f'{place}.vary', dict.fromkeys(names)))
+    vary = list(_parameters(experiment, f'{place}.vary', dict.fromkeys(names)))
     for name in vary:
         if name in parameters:
             raise ValueError(f'{place}.{name} = {parameters[name]!r}: {name} takes the values of x')
@@ -182,13 +185,13 @@ def _accepted(place, check, *arguments):
         raise ValueError(f'{place}: {error}') from None
 
 
-def _parameters(place, content):
+def _parameters(experiment, place, content):
     """`content` if all its keys are parameters; their values are checked together with the others', point by point."""
     content = _mapping(place, content, mayBeEmpty=True)
     for name, value in content.items():
         if name == 'seed':
             raise ValueError(f'{place}.seed = {value!r}: seeds are given by seeds, so that every point has the same')
-        if name not in defaults():
+        if name not in experiment.defaults():
             raise ValueError(f'{place}.{name} = {value!r}: there is no such parameter')
     return content
 

@@ -4,36 +4,41 @@ import os
 import pandas
 
 from .. import results
-from .columns import COLUMNS, GIVEN, MAY_BE_MISSING, MEASURED
+from .experiments import experimentOf
 
 SUMMARY = 'summary.json'
 
 
-def summaryPath(folder, run):
-    """Where the run `run` of a study in `folder` has its summary."""
-    return os.path.join(folder, 'impacts', run, SUMMARY)
+def summaryPath(plan, folder, run):
+    """Where the run `run` of the plan of a study in `folder` has its summary."""
+    return os.path.join(folder, plan['folder'], run, SUMMARY)
+
+
+def finishedRuns(plan, folder):
+    """Ids of the runs that have a summary, in the plan's order."""
+    return [run for run in plan['runs'] if os.path.exists(summaryPath(plan, folder, run))]
 
 
 def tableOf(plan, folder):
-    """The table of the plan's finished runs, in the plan's order, as a pandas DataFrame with the columns `columns.COLUMNS`.
+    """The table of the plan's finished runs, in the plan's order, as a pandas DataFrame with the columns of its experiment.
 
-    :param folder: of the study, with the runs in impacts/
+    :param folder: of the study, with a folder for each run
     :raises ValueError: a summary that is damaged or belongs to other parameters; names the file
     """
-    runs = [run for run in plan['runs'] if os.path.exists(summaryPath(folder, run))]
-    rows = [rowOf(run, plan['runs'][run], readSummary(summaryPath(folder, run), plan['runs'][run]['parameters'])) for run in runs]
-    return pandas.DataFrame(rows, columns=list(COLUMNS))
+    rows = [rowOf(plan, run, readSummary(plan, folder, run)) for run in finishedRuns(plan, folder)]
+    return pandas.DataFrame(rows, columns=list(experimentOf(plan).columns()))
 
 
-def readSummary(path, parameters):
-    """The complete summary in the file `path`, if it is one of a run with these `parameters`.
+def readSummary(plan, folder, run):
+    """The complete summary of the run `run`, if it is one of a run with its parameters.
 
     :raises ValueError: it holds something else; naming the file
     :raises OSError: it cannot be read, which says nothing about what it holds
     """
+    path, parameters = summaryPath(plan, folder, run), plan['runs'][run]['parameters']
     try:
         summary = results.readJson(path)
-        _measured(summary)
+        _measured(experimentOf(plan), summary)
         given = summary['parameters']
     except (ValueError, KeyError, TypeError) as error:
         raise ValueError(f'{path}: damaged ({type(error).__name__}: {error})') from None
@@ -44,10 +49,11 @@ def readSummary(path, parameters):
     return summary
 
 
-def rowOf(run, job, summary):
-    """{column: value} of one run: its id, its entry in the plan, its summary."""
-    parameters = job['parameters']
-    return {'run': run, 'bed': job['bed'], 'seed': parameters['seed'], **{name: parameters[name] for name in GIVEN}, **_measured(summary)}
+def rowOf(plan, run, summary):
+    """{column: value} of one run: its id, what the plan says of it, its summary."""
+    experiment, parameters = experimentOf(plan), plan['runs'][run]['parameters']
+    return {'run': run, 'bed': plan['runs'][run]['bed'], 'seed': parameters['seed'],
+            **{name: parameters[name] for name in experiment.given()}, **_measured(experiment, summary)}
 
 
 def write(table, path):
@@ -56,14 +62,13 @@ def write(table, path):
         table.to_csv(file, index=False, lineterminator='\n')
 
 
-def _measured(summary):
+def _measured(experiment, summary):
     """{column: value} of what the summary holds; KeyError or ValueError where it does not hold all of it."""
-    row = {column: _at(summary, keys) for column, keys in MEASURED.items()}
-    missing = [column for column, value in row.items() if value is None and column not in MAY_BE_MISSING]
+    row = {column: _at(summary, keys) for column, keys in experiment.measured.items()}
+    missing = [column for column, value in row.items() if value is None and column not in experiment.mayBeMissing]
     if missing:
-        raise ValueError(f'{".".join(MEASURED[missing[0]])} is null')
-    rest = summary['bed']['atRest']
-    return {**row, 'pours': len(summary['bed']['pours']), 'atRest': bool(rest['soft'] and rest['true'])}
+        raise ValueError(f'{".".join(experiment.measured[missing[0]])} is null')
+    return {**row, **{column: value(summary) for column, value in experiment.derived.items()}}
 
 
 def _at(content, keys):

@@ -9,7 +9,7 @@ from yade.superquadric.study import table
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('--plan', required=True, help='the plan of the study, JSON')
-    parser.add_argument('--folder', required=True, help='the folder of the study, which holds impacts/')
+    parser.add_argument('--folder', required=True, help='the folder of the study, which holds the runs\'')
     parser.add_argument('--output', required=True, help='the table, CSV')
     options = parser.parse_args()
     try:

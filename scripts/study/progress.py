@@ -11,8 +11,6 @@ import time
 from snakemake.logging import logger
 
 TARGETS = ('runs', 'page')
-# Computing time of a job by the number of particles, in any unit: higher beds take longer to rest, impacts last alike.
-COST = {'bed': lambda particles: particles ** 1.5, 'impact': lambda particles: 9 * particles}
 
 
 class Progress:
@@ -27,13 +25,12 @@ class Progress:
         self.total = int(re.findall(r'\d+', message['msg'])[-1]) - 1  # but the target, which is no work
         with open('plan.json', encoding='utf-8') as file:
             plan = json.load(file)
-        particles = {name: bed['particles'] for name, bed in plan['beds'].items()}
-        for name in particles:
+        for name, bed in plan['beds'].items():
             if not os.path.exists(f'beds/{name}/bed.json'):
-                self.cost['bed', name] = COST['bed'](particles[name])
+                self.cost['bed', name] = bed['cost']
         for name, run in plan['runs'].items():
-            if not os.path.exists(f'impacts/{name}/summary.json'):
-                self.cost['impact', name] = COST['impact'](particles[run['bed']])
+            if not os.path.exists(f'{plan["folder"]}/{name}/summary.json'):
+                self.cost['run', name] = run['cost']
 
     def job(self, message):
         self.names[message['jobid']] = message['name'], next(iter((message.get('wildcards') or {}).values()), '')

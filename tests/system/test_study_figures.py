@@ -13,16 +13,17 @@ import yade
 from matplotlib.image import imread
 from scipy import stats
 
-from yade.superquadric.study.columns import COLUMNS
 from yade.superquadric.study.curves import meanCurve, readRecord
+from yade.superquadric.study.experiments import EXPERIMENTS
 from yade.superquadric.study.figures import _differenceText, checkFigure, drawFigure
 from yade.superquadric.study.groupdata import GroupData
+from yade.superquadric.study.impacts import IMPACTS
 from yade.superquadric.study.page import drawStudy
 from yade.superquadric.study.quantities import QUANTITIES
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-GROUP = {'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
-VARIANTS = {'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
+GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
+VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
 
 
 def synthetic():
@@ -186,7 +187,7 @@ def test_badFigures(name, spec, message):
 
 
 def test_quantitiesAreColumnsOfTheTable():
-    assert set(QUANTITIES) <= set(COLUMNS)
+    assert set(QUANTITIES) <= {column for experiment in EXPERIMENTS.values() for column in experiment.columns()}
 
 
 def test_differenceToTheFirstVariantIsPaired():
@@ -210,5 +211,5 @@ def test_trendNeedsAnAxis():
 def test_figureOfSomeX(tmp_path):
     plan, table = synthetic()
     data = GroupData(plan['groups'][0], table)
-    assert drawFigure(tmp_path / 'a.png', {'kind': 'trend', 'y': ['C0'], 'x': [0.008, 0.07], 'series': ['cube']}, data, tmp_path) == 6
+    assert drawFigure(tmp_path / 'a.png', {'kind': 'trend', 'y': ['C0'], 'x': [0.008, 0.07], 'series': ['cube']}, data, tmp_path, IMPACTS) == 6
     assert os.listdir(tmp_path) == ['a.png']

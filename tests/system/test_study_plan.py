@@ -8,6 +8,7 @@ import yaml
 
 from yade.superquadric.parameters import bedPart, checked, defaults
 from yade.superquadric.study import plan as plans, studyfile
+from yade.superquadric.study.impacts import standard
 from yade.superquadric.study.quantities import xAxisLabel
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -41,7 +42,7 @@ def planOf(study, seeds=None):
     ('groups', None, 'study file: groups is missing'),
     ('groups', {}, r'groups = \{\}: must not be empty'),
     ('groups', [1], r'groups = \[1\]: must be a mapping'),
-    ('group', {}, "study file: 'group' is unknown; possible are title, base, seeds"),
+    ('group', {}, "study file: 'group' is unknown; possible are title, experiment, base, seeds"),
     ('seeds', [], r'seeds = \[\]: must not be empty'),
     ('seeds', 3, 'seeds = 3: must be a list'),
     ('seeds', [1, 2, 1], r'seeds = \[1, 2, 1\]: 1 is repeated'),
@@ -184,16 +185,16 @@ def test_impactsShareABed():
     ({'shape': 'cylinder', 'n2': 5}, {'shape': 'cube', 'n2': 5}),
     ({'shape': 'ellipsoid', 'n1': 4, 'n2': 5, 'aspect': 3}, {'shape': 'block', 'n1': 4, 'n2': 5, 'aspect': 3})])
 def test_equalParticlesAreOneBed(one, other):
-    one, other = (plans.standard(checked(values)) for values in (one, other))
+    one, other = (standard(checked(values)) for values in (one, other))
     assert one == other
-    assert plans.standard(one) == one == checked(one)
+    assert standard(one) == one == checked(one)
 
 
 @pytest.mark.parametrize('one, other', [
     ({'shape': 'sphere'}, {'shape': 'ellipsoid'}),  # YADE's own, and a superquadric
     ({'shape': 'block', 'aspect': 2}, {'shape': 'cylinder', 'aspect': 2}), ({'n1': 4}, {'n2': 4})])
 def test_differentParticlesAreNot(one, other):
-    one, other = (plans.standard(checked(values)) for values in (one, other))
+    one, other = (standard(checked(values)) for values in (one, other))
     assert one != other
 
 

@@ -10,11 +10,12 @@ from scipy import stats
 from yade.superquadric.study import statistics
 from yade.superquadric.study.findings import checkFinding, judge
 from yade.superquadric.study.groupdata import GroupData
+from yade.superquadric.study.impacts import IMPACTS
 from yade.superquadric.study.saturation import fitSaturation
 
 SEEDS = (1, 2, 3)
-GROUP = {'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.015, 0.025, 0.045]}
-VARIANTS = {'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
+GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.015, 0.025, 0.045]}
+VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
 
 
 def judged(finding, truth, x=(1, 2, 3, 4), series=('a',), seeds=SEEDS, missing=(), **options):
@@ -23,7 +24,7 @@ def judged(finding, truth, x=(1, 2, 3, 4), series=('a',), seeds=SEEDS, missing=(
     gone = {point['run'] for point in group['points'] if point['x'] in missing or (point['series'], point['x']) in missing}
     _, table = syntheticstudy.study((group, [row for row in rows if row['run'] not in gone]))
     finding = {'y': 'peak', **finding}
-    checkFinding(finding, {'series': list(series), 'xName': group['xName'], 'values': list(x)})
+    checkFinding(finding, {'experiment': IMPACTS, 'series': list(series), 'xName': group['xName'], 'values': list(x)})
     return judge(finding, GroupData(group, table))
 
 

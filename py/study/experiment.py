@@ -1,0 +1,50 @@
+"""What a study repeats: one kind of experiment, as the rest of this package needs to know it."""
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..parameters import BED
+
+IDS = ('run', 'bed', 'seed')
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """A kind of experiment: a bed of particles is made from a seed, then used by one or more runs.
+
+    Both are jobs of `script`, which is called with `--parameters FILE --output FOLDER` and `--bedOnly` for a bed, or `--bed FOLDER` for a run; it
+    writes bed.json, or summary.json, last of all.
+    """
+
+    name: str                 # in study files and plans
+    script: str               # of scripts/
+    folder: str               # of the study's folder: where the runs are; also what they are called
+    parameters: tuple         # of `parameters.Parameter`; those with the scope BED are the bed's
+    checked: Callable         # (values) -> complete parameters; ValueError
+    standard: Callable        # (parameters) -> the same, in the one form that equal beds have in common
+    particleCount: Callable   # (parameters) -> number of particles, for limits of memory and time
+    costs: Callable           # (particles) -> computing times of a bed and of a run on it, in any unit
+    places: Callable          # (parameters, number) -> parameters by which so many runs on one bed differ, [{}] for the one as given
+    measured: dict            # column of the table: where its value is in summary.json
+    derived: dict             # column of the table: function of the summary that gives its value
+    mayBeMissing: tuple       # columns that may be null in a summary
+    runSeconds: str           # the column that holds the wall time of a run without its bed's [s]; that is in bedSeconds
+    shown: tuple              # columns of the page's table of points, the first one with its interval
+    concerns: Callable        # (finished rows of the table) -> sentences on what should make the reader doubt
+    validations: dict         # name in a study file: picture that a script of that name draws into figures/
+    drawings: dict            # kind of figure, beside those that all studies have: function (data, series, values, panels, records) -> figure
+
+    def defaults(self):
+        """{name: default} of all parameters."""
+        return {parameter.name: parameter.default for parameter in self.parameters}
+
+    def bedPart(self, parameters):
+        """Those of complete `parameters` from which the bed is made."""
+        return {p.name: parameters[p.name] for p in self.parameters if p.scope == BED}
+
+    def given(self):
+        """The columns that hold parameters, as asked for."""
+        return tuple(p.name for p in self.parameters if p.name != 'seed')
+
+    def columns(self):
+        """All columns of the table of results."""
+        return (*IDS, *self.given(), *self.measured, *self.derived)

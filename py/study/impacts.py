@@ -1,0 +1,94 @@
+"""Studies of impacts on beds (scripts/impact.py)."""
+import math
+
+from .. import parameters
+from ..bodies import BLOCK_EXPONENT, particleShape
+from .curves import drawCurves
+from .experiment import Experiment
+
+RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
+# Exponents that a shape has by its name, and the names: with aspect 1, and with any other.
+NAMED = {(2.0, 2.0): ('ellipsoid', 'ellipsoid'), (BLOCK_EXPONENT, 2.0): ('cylinder', 'cylinder'), (BLOCK_EXPONENT, BLOCK_EXPONENT): ('cube', 'block')}
+MEASURED = {
+    'number': ('particle', 'number'),
+    'H': ('bed', 'thickness'),
+    'C0': ('bed', 'packingFraction'),
+    'innerC0': ('bed', 'innerPackingFraction'),
+    'staticForce': ('bed', 'staticForce'),
+    'weight': ('bed', 'weight'),
+    'peak': ('impact', 'peak'),
+    'peakTime': ('impact', 'peakTime'),
+    'duration': ('impact', 'duration'),
+    'lastTime': ('impact', 'lastTime'),
+    'impulse': ('impact', 'impulse'),
+    'P0': ('P0',),
+    'bufferingRatio': ('bufferingRatio',),
+    'surfaceSpeed': ('impactor', 'surfaceSpeed'),
+    'over': ('impact', 'over'),
+    'solves': ('solver', 'solves'),
+    'iterations': ('solver', 'iterations'),
+    'fallbacks': ('solver', 'fallbacks'),
+    'uncertified': ('solver', 'uncertified'),
+    'dtImpact': ('timeStep', 'impact'),
+    'bedSeconds': ('bed', 'wallSeconds'),
+    'impactSeconds': ('wallSeconds',),
+    'threads': ('threads',),
+    'versionYade': ('versions', 'yade'),
+    'versionPlugin': ('versions', 'yade-superquadric'),
+    'versionPython': ('versions', 'python'),
+    'versionNumpy': ('versions', 'numpy'),
+}
+DERIVED = {
+    'pours': lambda summary: len(summary['bed']['pours']),
+    'atRest': lambda summary: bool(summary['bed']['atRest']['soft'] and summary['bed']['atRest']['true']),
+}
+DOUBTS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
+
+
+def placesOf(values, number):
+    """The places on the bed where the impactor falls: the one that the parameters `values` say, the others on a ring about it.
+
+    What a bed does to a blow depends on the few particles that it meets, and an impact costs a tenth of what its bed does.
+    """
+    x, y, ring = values['impactorX'], values['impactorY'], RING * values['radius']
+    angles = [2 * math.pi * k / (number - 1) for k in range(number - 1)]
+    return [{}] + [{'impactorX': round(x + ring * math.cos(a), 9), 'impactorY': round(y + ring * math.sin(a), 9)} for a in angles]
+
+
+def standard(values):
+    """The complete parameters `values` with the shape in its one standard form, so that equal particles are the same bed.
+
+    A shape is its exponents and its aspect: a cylinder with n2 = 8 is a cube or block, a cube with n1 = n2 = 2 an ellipsoid. Only
+    the sphere stays one by name, as it is YADE's own.
+    """
+    shape = particleShape(values['shape'], values['radius'], values['aspect'], values['n1'], values['n2'])
+    if shape.asSphere:
+        return {**values, 'n1': None, 'n2': None}
+    exponents, regular = (shape.n1, shape.n2), values['aspect'] == 1
+    if exponents in NAMED:
+        return {**values, 'shape': NAMED[exponents][0 if regular else 1], 'n1': None, 'n2': None}
+    return {**values, 'shape': 'cube' if regular else 'block', 'n1': shape.n1, 'n2': shape.n2}
+
+
+def _costs(particles):
+    """Higher beds take longer to rest, impacts last alike."""
+    return particles ** 1.5, 9 * particles
+
+
+def _concerns(done):
+    counts = [(int((done[column] == bad).sum()), text) for column, bad, text in DOUBTS]
+    return [f'{count} {text}' for count, text in counts if count] + _offThickness(done)
+
+
+def _offThickness(done):
+    """A sentence on the beds that are not as thick as they should be, if there are any. Those of a given number of particles may be."""
+    aimed = done[done['particles'].isna()].drop_duplicates('bed')
+    off = (aimed['H'] / aimed['thickness'] - 1).abs() > aimed['thicknessTolerance']
+    return [f'beds thicker or thinner than thicknessTolerance allows: {int(off.sum())}'] if off.any() else []
+
+
+IMPACTS = Experiment(
+    name='impact', script='impact.py', folder='impacts', parameters=parameters.PARAMETERS, checked=parameters.checked, standard=standard,
+    particleCount=parameters.particleCount, costs=_costs, places=placesOf, measured=MEASURED, derived=DERIVED, mayBeMissing=('innerC0',),  # in a thin bed
+    runSeconds='impactSeconds', shown=('peak', 'C0', 'duration', 'H'), concerns=_concerns,
+    validations={'cylinderOnPlane': 'cylinder_on_plane'}, drawings={'curves': drawCurves})
