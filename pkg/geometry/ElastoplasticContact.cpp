@@ -231,20 +231,30 @@ State normalForce(const Pair& pair, const History& history, double overlap)
 		state.history.modulus = pair.modulus;
 		state.history.radius = pair.radius;
 	}
-	const LoadingCurve curve({ pair.material, state.history.modulus, state.history.radius });
+	History& now = state.history;
 	const bool loading = overlap > history.largest;
-	if (loading) {
-		state.history.largest = overlap;
-		state.history.residual = std::max(history.residual, curve.residual(overlap)); // max: against rounding
+	if (loading) now.largest = overlap;
+	const bool yields = loading && overlap > yieldPoint(pair.material.yieldStress, now.modulus, now.radius).overlap;
+	if (yields) {
+		const LoadingCurve curve({ pair.material, now.modulus, now.radius });
+		now.residual = std::max(history.residual, curve.residual(overlap)); // max: against rounding
+		state.stiffness = curve.slope(overlap);
+		const double work = curve.energy(overlap) - Branch(now).energy(overlap);
+		if (now.residual > 0) now.dissipated = std::max(history.dissipated, work); // max: against rounding
 	}
-	const double largest = state.history.largest;
-	const Branch branch(state.history);
+	const Branch branch(now);
 	state.force = branch.force(overlap);
 	state.unloadingStiffness = branch.slope(overlap);
-	state.stiffness = loading ? curve.slope(overlap) : state.unloadingStiffness;
+	if (!yields) state.stiffness = state.unloadingStiffness;
 	state.elastic = branch.energy(overlap);
-	if (state.history.residual > 0) state.dissipated = std::max(0., curve.energy(largest) - branch.energy(largest)); // max: against rounding
+	state.flows = now.residual > history.residual;
 	return state;
+}
+
+double viscousForce(const State& state, double damping, double mass, double approachSpeed)
+{
+	if (state.flows) return 0;
+	return std::max(damping * std::sqrt(4 * mass * state.unloadingStiffness) * approachSpeed, -state.force);
 }
 
 } // namespace superquadric::elastoplastic

@@ -100,6 +100,7 @@ struct History {
 	double modulus = 0, radius = 0; // E* [Pa] and R [m] at the first touch, 0 before
 	double largest = 0; // dmax [m]
 	double residual = 0; // dR [m]
+	double dissipated = 0; // plastic work so far, (11) [J]
 };
 
 struct State {
@@ -107,12 +108,18 @@ struct State {
 	double stiffness = 0; // tangent [N/m]; while the contact flows that of the loading curve, which is zero at dy for H > 1
 	double unloadingStiffness = 0; // tangent of path 3 [N/m], never smaller: the one that bounds the time step
 	double elastic = 0; // what unloading gives back [J]
-	double dissipated = 0; // plastic work of this contact so far, (11) [J]; elastic + dissipated is the work done on it
+	bool flows = false; // the contact has just yielded further: paths 2 and 4
 	History history;
+
+	double work() const { return elastic + history.dissipated; } // done on the contact [J]
 };
 
 // The contact at an overlap [m], coming from `history` by any path that is not deeper than the deeper of both ends. E* and R
 // of `pair` count at the first touch only. An overlap that is not positive leaves the history as it is.
 State normalForce(const Pair& pair, const History& history, double overlap);
+
+// The viscous part [N], of the form of (6)-(8) in HertzMindlin.hpp, Cn sqrt(4 m* k) v with the stiffness k of the unloading branch and the speed of
+// approach v: on paths 1 and 3 only, and never attractive together with the force. With k = 2 E* sqrt(R d) of path 1 it is (8).
+double viscousForce(const State& state, double damping, double mass, double approachSpeed);
 
 } // namespace superquadric::elastoplastic

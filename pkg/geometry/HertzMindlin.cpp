@@ -1,5 +1,7 @@
 #include "HertzMindlin.hpp"
 
+#include "WithinLimit.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,17 +11,6 @@ namespace {
 	constexpr double pi = 3.14159265358979323846;
 
 	double shearModulus(double young, double poisson) { return young / (2 * (1 + poisson)); }
-
-	// Largest part s in [0, 1] of `added` with |within + s added| <= limit, where |within| <= limit.
-	double partUpTo(double limit, const Vector3& within, const Vector3& added)
-	{
-		const double a = added.squaredNorm(), b = within.dot(added);
-		if (a == 0 || (within + added).squaredNorm() <= limit * limit) return 1;
-		const double room = std::max(0., limit * limit - within.squaredNorm());
-		const double root = std::sqrt(b * b + a * room);
-		// Of the two forms of the positive root, the one without cancellation.
-		return std::min(1., b > 0 ? room / (b + root) : (root - b) / a);
-	}
 }
 
 double effectiveModulus(double young1, double poisson1, double young2, double poisson2)

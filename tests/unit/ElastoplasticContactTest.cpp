@@ -126,7 +126,7 @@ TEST(Elastoplastic, ANeverYieldingMaterialIsHertz)
 		EXPECT_NEAR(state.force, expected.elastic, 1e-15 * expected.elastic);
 		EXPECT_NEAR(state.stiffness, expected.stiffness, 1e-15 * expected.stiffness);
 		EXPECT_NEAR(state.elastic, superquadric::hertzMindlin::normalEnergy(hertz.hertz(), d), 1e-15 * expected.elastic * d);
-		EXPECT_EQ(state.dissipated, 0);
+		EXPECT_EQ(state.history.dissipated, 0);
 		EXPECT_EQ(state.history.residual, 0);
 	}
 }
@@ -200,7 +200,7 @@ TEST(Elastoplastic, WhereTheFitIsTooSteepTheContactYieldsNoFurther)
 	const double meeting = std::pow(1 + (-3 + std::sqrt(45)) / 2, 2) * yieldOf(steep).overlap;
 	EXPECT_EQ(LoadingCurve(steep).residual(0.999 * meeting), 0);
 	EXPECT_GT(LoadingCurve(steep).residual(1.001 * meeting), 0);
-	EXPECT_EQ(followed(steep, { 0.999 * meeting, 0.5 * meeting }).dissipated, 0);
+	EXPECT_EQ(followed(steep, { 0.999 * meeting, 0.5 * meeting }).history.dissipated, 0);
 }
 
 TEST(Elastoplastic, TheResidualNeverShrinksForAnyFit)
@@ -250,7 +250,7 @@ TEST(Elastoplastic, UnloadingIsNeverStrongerThanLoadingAndAtLeastAsStiff)
 			const double largest = part * yieldOf(pair).overlap;
 			const State top = followed(pair, { largest });
 			ASSERT_LE(top.stiffness, top.unloadingStiffness * (1 + 1e-12));
-			ASSERT_GE(top.dissipated, 0);
+			ASSERT_GE(top.history.dissipated, 0);
 			const double rounding = 1e-14 * largest / (largest - top.history.residual) * top.force;
 			for (int i = 0; i <= 1000; ++i) {
 				const double d = largest * i / 1000;
@@ -264,7 +264,7 @@ TEST(Elastoplastic, ReloadingRetracesTheBranchAndThenTheVirginCurve)
 	for (const Pair& pair : pairs) {
 		const double dy = yieldOf(pair).overlap, largest = 20 * dy;
 		State state = followed(pair, { largest });
-		const double dissipated = state.dissipated;
+		const double dissipated = state.history.dissipated;
 		std::vector<double> down;
 		for (int i = 50; i >= 0; --i) {
 			state = normalForce(pair, state.history, largest * i / 50);
@@ -274,12 +274,12 @@ TEST(Elastoplastic, ReloadingRetracesTheBranchAndThenTheVirginCurve)
 			for (int i = 0; i <= 50; ++i) {
 				state = normalForce(pair, state.history, largest * (cycle % 2 ? 50 - i : i) / 50);
 				ASSERT_EQ(state.force, down[cycle % 2 ? i : 50 - i]);
-				ASSERT_EQ(state.dissipated, dissipated);
+				ASSERT_EQ(state.history.dissipated, dissipated);
 			}
 		const State further = normalForce(pair, state.history, 2 * largest), direct = followed(pair, { 2 * largest });
 		EXPECT_EQ(further.force, direct.force);
-		EXPECT_EQ(further.dissipated, direct.dissipated);
-		EXPECT_GT(further.dissipated, dissipated);
+		EXPECT_EQ(further.history.dissipated, direct.history.dissipated);
+		EXPECT_GT(further.history.dissipated, dissipated);
 	}
 }
 
@@ -316,4 +316,22 @@ TEST(Elastoplastic, NothingHappensBeforeTheFirstTouch)
 		EXPECT_EQ(state.history.radius, 0);
 	}
 	EXPECT_EQ(normalForce(aluminium, {}, 1e-9).history.radius, radius);
+}
+
+// (8) in HertzMindlin on path 1; nothing on paths 2 and 4; on path 3 that of a spring as stiff as the branch.
+TEST(Elastoplastic, TheViscousPartActsWhereTheContactDoesNotFlow)
+{
+	const double damping = 0.1, speed = 0.3, dy = yieldOf(aluminium).overlap;
+	const State loading = followed(aluminium, { dy / 2 });
+	const double expected = superquadric::hertzMindlin::normalForce({ modulus, radius, mass }, damping, dy / 2, speed).viscous;
+	EXPECT_NEAR(viscousForce(loading, damping, mass, speed), expected, 1e-14 * expected);
+	for (const std::vector<double>& path : { std::vector<double> { 4 * dy }, { 4 * dy, 3 * dy, 5 * dy } }) {
+		EXPECT_TRUE(followed(aluminium, path).flows);
+		EXPECT_EQ(viscousForce(followed(aluminium, path), damping, mass, speed), 0);
+	}
+	const State unloading = followed(aluminium, { 4 * dy, 3.9 * dy });
+	EXPECT_FALSE(unloading.flows);
+	EXPECT_NEAR(viscousForce(unloading, damping, mass, speed), 2 * damping * std::sqrt(mass * unloading.stiffness) * speed, 1e-14);
+	EXPECT_EQ(viscousForce(unloading, damping, mass, -1e9), -unloading.force);
+	EXPECT_EQ(viscousForce(followed(aluminium, { 4 * dy, dy / 2 }), damping, mass, speed), 0);
 }
