@@ -1,20 +1,25 @@
 """The engines of a superquadric scene, and its time step."""
+import math
 from collections import Counter
 
 from yade import O
 from yade.wrapper import (
     Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, CurvatureMat,
-    ForceResetter, Ig2_Facet_Sphere_ScGeom, Ig2_Facet_Superquadric_SuperquadricGeom,
+    ElastoplasticMat, ForceResetter, Ig2_Facet_Sphere_ScGeom, Ig2_Facet_Superquadric_SuperquadricGeom,
     Ig2_HollowCylinder_Sphere_SuperquadricGeom, Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
     Ig2_Sphere_Sphere_ScGeom, Ig2_Sphere_Superquadric_SuperquadricGeom,
     Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Wall_Sphere_ScGeom, Ig2_Wall_Superquadric_SuperquadricGeom,
     InsertionSortCollider, InteractionLoop, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
-    Law2_ScGeom_CurvaturePhys_HertzMindlin, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
+    Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    Law2_ScGeom_ElastoplasticPhys_FourPath, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
 
 from . import checks
 
+LAWS = {'curvature': (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
+        'elastoplastic': (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
 
-def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=()):
+
+def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):
     """The full list of engines, to be assigned to `O.engines`.
 
     Forces are added up in the order of the bodies' ids (`SuperquadricInteractionLoop`): on one thread a scene that is saved, loaded
@@ -25,21 +30,24 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
         automatic choice knows spheres only, therefore by default a fifth of the smallest half size in the scene
     :param damping: YADE's non-viscous damping [-]; 0 leaves the dissipation to the contact law
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
+    :param law: of the contacts: 'curvature' (Wang & Ji 2018), or 'elastoplastic' (Li et al. 2018; pairs without an
+        ElastoplasticMat are elastic under it). By default the latter where a body in the scene has an ElastoplasticMat
 
     Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
     that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
 
-    :raises ValueError: a value out of range, or a body whose material is not a CurvatureMat
+    :raises ValueError: a value out of range, a body whose material is not a CurvatureMat, or one whose material yields
+        under the law that has no yielding
     """
     checkMaterials()
+    physics, contactLaw = LAWS[_lawFor(law)]
     margin = 0.2 * min(halfSizes(), default=5e-3) if verletDist is None else checks.notNegative('verletDist', verletDist)
     damping = checks.within('damping', damping, 0, 1, highIncluded=False)
     bounds = [Bo1_Superquadric_Aabb(), Bo1_Sphere_Aabb(), Bo1_Wall_Aabb(), Bo1_Facet_Aabb(), Bo1_HollowCylinder_Aabb()]
     return [
         ForceResetter(),
         InsertionSortCollider(bounds, verletDist=margin),
-        SuperquadricInteractionLoop(_geometryFunctors(), [Ip2_CurvatureMat_CurvatureMat_CurvaturePhys()],
-                                    [Law2_ScGeom_CurvaturePhys_HertzMindlin()]),
+        SuperquadricInteractionLoop(_geometryFunctors(), [physics()], [contactLaw()]),
         *afterForces,
         NewtonIntegrator(gravity=gravity, damping=damping, exactAsphericalRot=True),
     ]
@@ -52,6 +60,19 @@ def checkMaterials():
             kind = 'none' if body.mat is None else type(body.mat).__name__
             raise ValueError(f'body {body.id}: its material is {kind}, but contacts of superquadrics need a CurvatureMat '
                              f'on all bodies')
+
+
+def _lawFor(law):
+    """The key of LAWS for the bodies in the scene, `law` itself if it is not None."""
+    elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)]
+    if law is None:
+        return 'elastoplastic' if elastoplastic else 'curvature'
+    if checks.oneOf('law', law, LAWS) == 'curvature':
+        for body in elastoplastic:
+            if math.isfinite(body.mat.yieldStress):
+                raise ValueError(f'law = {law!r}: it knows no yielding, but body {body.id} has an ElastoplasticMat with '
+                                 f'yieldStress = {body.mat.yieldStress:g} Pa')
+    return law
 
 
 def _geometryFunctors():

@@ -8,20 +8,13 @@ namespace yade {
 
 YADE_PLUGIN((CurvatureMat));
 
-namespace {
-	void requireNotNegative(const char* name, Real value)
-	{
-		if (!(std::isfinite(value) && value >= 0)) refuse(name, "finite and not negative", value);
-	}
-}
-
 Real CurvatureMat::criticalTimeStep(Real minHalfSize) const
 {
 	requirePositive("minHalfSize", minHalfSize);
 	return superquadric::hertzMindlin::criticalTimeStep(minHalfSize, young, poisson, density);
 }
 
-std::array<Real*, 7> CurvatureMat::parameters()
+std::vector<Real*> CurvatureMat::parameters()
 {
 	return { &density, &young, &poisson, &frictionAngle, &normalDamping, &tangentialDamping, &rollingFriction };
 }
@@ -43,10 +36,11 @@ void CurvatureMat::postLoad(CurvatureMat&)
 	try {
 		check();
 	} catch (const std::invalid_argument&) {
-		for (std::size_t i = 0; i < current.size(); ++i)
+		for (std::size_t i = 0; i < accepted.size(); ++i)
 			*current[i] = accepted[i];
 		throw;
 	}
+	accepted.resize(current.size());
 	for (std::size_t i = 0; i < current.size(); ++i)
 		accepted[i] = *current[i];
 }

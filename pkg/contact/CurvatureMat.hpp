@@ -3,7 +3,7 @@
 
 #include <pkg/common/ElastMat.hpp>
 
-#include <array>
+#include <vector>
 
 namespace yade {
 
@@ -25,10 +25,14 @@ public:
 	}
 	template <class Base, Real Base::*attribute> static Real getInherited(const CurvatureMat& material) { return material.*attribute; }
 
+protected:
+	// Throws std::invalid_argument with name and value of what is wrong.
+	virtual void check() const;
+	// All that check() looks at.
+	virtual std::vector<Real*> parameters();
+
 private:
-	void check() const;
-	std::array<Real*, 7> parameters();
-	std::array<Real, 7> accepted;
+	std::vector<Real> accepted;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(CurvatureMat, FrictMat,

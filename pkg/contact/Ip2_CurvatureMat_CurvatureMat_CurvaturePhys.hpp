@@ -8,11 +8,16 @@
 
 namespace yade {
 
+class CurvaturePhys;
+
 class Ip2_CurvatureMat_CurvatureMat_CurvaturePhys : public IPhysFunctor {
 public:
 	virtual ~Ip2_CurvatureMat_CurvatureMat_CurvaturePhys() = default;
 	void go(const shared_ptr<Material>& material1, const shared_ptr<Material>& material2, const shared_ptr<Interaction>& interaction) override;
 	FUNCTOR2D(CurvatureMat, CurvatureMat);
+
+protected:
+	void combine(const CurvatureMat& material1, const CurvatureMat& material2, CurvaturePhys& phys) const;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, IPhysFunctor,

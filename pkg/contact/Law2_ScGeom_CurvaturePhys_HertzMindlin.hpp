@@ -1,66 +1,37 @@
 // YADE's side of the contact law (6)-(13); the law itself is in pkg/geometry/HertzMindlin.hpp.
 #pragma once
 
-#include "CurvaturePhys.hpp"
-#include "MovingBodiesLaw.hpp"
-
-#include <core/Dispatching.hpp>
-#include <core/EnergyTracker.hpp>
-#include <pkg/dem/ScGeom.hpp>
-#include <pkg/geometry/HertzMindlin.hpp>
-
-#include <array>
-#include <atomic>
-#include <mutex>
+#include "CurvatureLaw.hpp"
+#include "EnergyEntries.hpp"
 
 namespace yade {
 
-class SuperquadricGeom;
-
-class Law2_ScGeom_CurvaturePhys_HertzMindlin : public LawFunctor, public MovingBodiesLaw {
+class Law2_ScGeom_CurvaturePhys_HertzMindlin : public CurvatureLaw {
 public:
 	virtual ~Law2_ScGeom_CurvaturePhys_HertzMindlin() = default;
-	bool go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction) override;
-	ContactLoad load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2) override;
 	FUNCTOR2D(ScGeom, CurvaturePhys);
 
-	// Called by YADE after the attributes were set or loaded. Refused values are put back before the error leaves.
-	void postLoad(Law2_ScGeom_CurvaturePhys_HertzMindlin&);
+	// Called by YADE after the attributes were set or loaded.
+	void postLoad(Law2_ScGeom_CurvaturePhys_HertzMindlin&) { checkOverlapLimit(overlapLimit); }
+
+protected:
+	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
 
 private:
-	// Two bodies at a contact, and how they move relative to each other.
-	struct Meeting {
-		const MovingBody &body1, &body2;
-		superquadric::hertzMindlin::Side side1, side2;
-		const SuperquadricGeom* ours; // the contact's geometry, if it is ours
-		Real approach; // speed at which the overlap grows [m/s]
-		Vector3r sliding, spin; // of body 2 relative to body 1, tangential [m/s] and angular [rad/s]
-
-		Meeting(const MovingBody& body1, const MovingBody& body2, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom, const SuperquadricGeom* ours);
-	};
-	struct Radii {
-		Real effective, rolling; // R* of (7) and R of (13) [m]
-	};
 	struct Response {
 		superquadric::hertzMindlin::NormalForce normal;
 		superquadric::hertzMindlin::TangentialForce tangential;
 		Vector3r couple;
 	};
-	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError, energyCount };
+	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError };
 
-	ContactLoad load(const ScGeom& geom, CurvaturePhys& phys, const Meeting& bodies);
-	Radii radii(const ScGeom& geom, const Meeting& bodies) const;
-	Response response(const ScGeom& geom, const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
-	void bookEnergy(const ScGeom& geom, const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz);
-	void findEnergies();
+	Response response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
+	void bookEnergy(const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz);
 
-	std::array<int, energyCount> energyIds;
-	std::atomic<long> energiesFoundAt { -1 };
-	std::mutex findingEnergies;
-	Real acceptedLimit;
+	EnergyEntries energies { { "elastic", "frictionDissip", "normalViscous", "tangentialViscous", "rolling", "nonconservative" } };
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR(Law2_ScGeom_CurvaturePhys_HertzMindlin, LawFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_CurvaturePhys_HertzMindlin, LawFunctor,
 		"Contact law of [Wang2018]_, (6)-(13), with the radius of curvature at the contact: for :yref:`Superquadric` and for YADE's :yref:`Sphere` alike, with each other and with walls. "
 		"A partner that is neither is flat. What the paper leaves open:\n\n"
 		"* radii of curvature are bounded, see overlapLimit;\n"
@@ -77,7 +48,6 @@ private:
 		((bool, leverArms, true, , "Whether $m^*$ of the normal damping (8) counts that an off-centre push also turns the bodies: $1/m^* = \\sum 1/m_i + \\mathbf{l}_i\\cdot I_i^{-1}\\mathbf{l}_i$ "
 			"with the levers $\\mathbf{l}_i=(\\mathbf{x}_c-\\mathbf{x}_i)\\times\\mathbf{n}$. Then $C_n$ sets the restitution whatever the lever, which the paper's own check, (15) and (16) with the restitution 0.85 at every angle, "
 			"supposes. False: the paper's $m_1m_2/(m_1+m_2)$ to the letter, which damps eccentric impacts more. No difference for spheres."))
-		, acceptedLimit = overlapLimit;
 	);
 	// clang-format on
 };

@@ -21,6 +21,11 @@ inline void requirePositive(const char* name, Real value)
 	if (!(std::isfinite(value) && value > 0)) refuse(name, "finite and positive", value);
 }
 
+inline void requireNotNegative(const char* name, Real value)
+{
+	if (!(std::isfinite(value) && value >= 0)) refuse(name, "finite and not negative", value);
+}
+
 inline void requireFinite(const char* name, const Vector3r& value)
 {
 	if (!value.allFinite()) refuse(name, "finite", value.transpose());

@@ -1,0 +1,111 @@
+#include "Law2_ScGeom_ElastoplasticPhys_FourPath.hpp"
+
+#include <core/Scene.hpp>
+#include <pkg/geometry/WithinLimit.hpp>
+
+namespace yade {
+
+YADE_PLUGIN((Law2_ScGeom_ElastoplasticPhys_FourPath));
+
+namespace ep = superquadric::elastoplastic;
+
+ContactLoad Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys& curvaturePhys, const Meeting& bodies)
+{
+	auto& phys = static_cast<ElastoplasticPhys&>(curvaturePhys);
+	const Vector3r& normal = bodies.geom.normal;
+	noteMasses(phys, bodies, bodies.radii(overlapLimit), leverArms);
+	phys.hertzStiffness = superquadric::hertzMindlin::Pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass }.hertz();
+
+	const Response now = response(phys, bodies);
+	if (scene->trackEnergy) bookEnergy(phys, bodies, now);
+
+	phys.overlap = bodies.geom.penetrationDepth;
+	phys.setHistory(now.normal.history);
+	phys.kn = now.normal.unloadingStiffness;
+	phys.normalViscous = now.normalViscous * normal;
+	phys.normalForce = (now.normal.force + now.normalViscous) * normal;
+	const superquadric::Spring &sheared = now.tangential.elastic.spring, &rolled = now.rolling.elastic.spring;
+	phys.ks = sheared.stiffness;
+	phys.shearElastic = sheared.force;
+	phys.shearDisplacement = sheared.stretch();
+	phys.shearEnergy = sheared.energy();
+	phys.shearViscous = now.tangential.viscous;
+	phys.shearForce = now.tangential.total();
+	phys.rollingStiffness = rolled.stiffness;
+	phys.rollingElastic = rolled.force;
+	phys.rollingViscous = now.rolling.viscous;
+	phys.rollingCouple = now.rolling.total();
+	return loadOf(bodies, phys.normalForce + phys.shearForce, phys.rollingCouple);
+}
+
+Law2_ScGeom_ElastoplasticPhys_FourPath::Response Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, const Meeting& bodies) const
+{
+	const Vector3r& normal = bodies.geom.normal;
+	Response now;
+	now.normal = ep::normalForce({ phys.plasticity(), phys.effectiveModulus, phys.effectiveRadius }, phys.history(), bodies.geom.penetrationDepth);
+	now.normalViscous = ep::viscousForce(now.normal, phys.normalDamping, phys.normalMass, bodies.approach);
+	now.tangential = tangential(phys, bodies, now.normal);
+	now.rollingVelocity = bodies.spin - normal.dot(bodies.spin) * normal;
+	now.rolling = rolling(phys, bodies, now.normal, now.rollingVelocity);
+	return now;
+}
+
+Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot
+Law2_ScGeom_ElastoplasticPhys_FourPath::tangential(const ElastoplasticPhys& phys, const Meeting& bodies, const ep::State& normal) const
+{
+	const Real stiffness = normal.unloadingStiffness / phys.stiffnessRatio, limit = phys.tangensOfFrictionAngle * normal.force;
+	SpringAndDashpot now;
+	now.elastic = superquadric::follow({ bodies.turned(phys.shearElastic), phys.ks }, stiffness, limit, bodies.sliding * scene->dt);
+	const Vector3r viscous = superquadric::dashpot(phys.tangentialDamping, phys.effectiveMass, stiffness, bodies.sliding);
+	now.viscous = superquadric::partUpTo(limit, now.elastic.spring.force, viscous) * viscous;
+	return now;
+}
+
+Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(
+        const ElastoplasticPhys& phys, const Meeting& bodies, const ep::State& normal, const Vector3r& velocity) const
+{
+	const Real stiffness = superquadric::rollingStiffness(normal.unloadingStiffness, phys.rollingFriction, phys.effectiveRadius);
+	const Real limit = phys.rollingFriction * phys.effectiveRadius * normal.force;
+	SpringAndDashpot now;
+	now.elastic = superquadric::follow({ bodies.turned(phys.rollingElastic), phys.rollingStiffness }, stiffness, limit, velocity * scene->dt);
+	const auto inverseInertia = [&](const MovingBody& body) {
+		return superquadric::inverseRollingInertia(body.inverseMass, body.largestInverseInertia(), (bodies.geom.contactPoint - body.centreOfMass).norm());
+	};
+	const Real compliance = inverseInertia(bodies.body1) + inverseInertia(bodies.body2);
+	if (!now.elastic.slips && compliance > 0) now.viscous = superquadric::dashpot(phys.rollingDamping, 1 / compliance, stiffness, velocity);
+	return now;
+}
+
+// Viscous work by the mean of the force before and after, as the leap-frog integrator does it; the springs and the plastic part know their own.
+void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now)
+{
+	energies.find(*scene);
+	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, value); };
+	const Real halfStep = scene->dt / 2;
+	book(Elastic, now.normal.elastic + now.tangential.elastic.spring.energy() + now.rolling.elastic.spring.energy());
+	book(Plastic, now.normal.history.dissipated - before.plasticDissipation);
+	book(NormalViscous, halfStep * bodies.approach * (before.normalViscous.dot(bodies.geom.normal) + now.normalViscous));
+	book(TangentialViscous, -halfStep * bodies.sliding.dot(bodies.turned(before.shearViscous) + now.tangential.viscous));
+	book(Friction, now.tangential.lost());
+	book(RollingViscous, -halfStep * now.rollingVelocity.dot(bodies.turned(before.rollingViscous) + now.rolling.viscous));
+	book(RollingFriction, now.rolling.lost());
+	book(ModelError, modelError(before, bodies, now.normal));
+}
+
+// What the normal force takes out because its radius has changed, and because the bodies' approach misses the growth of the overlap, which
+// moves with the contact point along the surfaces.
+Real Law2_ScGeom_ElastoplasticPhys_FourPath::modelError(const ElastoplasticPhys& before, const Meeting& bodies, const ep::State& now) const
+{
+	if (!(before.overlap > 0)) return 0;
+	const Real overlap = bodies.geom.penetrationDepth;
+	Real curved = 0;
+	if (before.curveRadius != now.history.radius) {
+		const auto workAt = [&](Real modulus, Real radius, Real depth) { return ep::normalForce({ before.plasticity(), modulus, radius }, {}, depth).work(); };
+		for (Real depth : { before.overlap, overlap })
+			curved += (workAt(before.curveModulus, before.curveRadius, depth) - workAt(now.history.modulus, now.history.radius, depth)) / 2;
+	}
+	const Real elasticBefore = (before.normalForce - before.normalViscous).norm();
+	return curved + (elasticBefore + now.force) / 2 * (bodies.approach * scene->dt - overlap + before.overlap);
+}
+
+} // namespace yade

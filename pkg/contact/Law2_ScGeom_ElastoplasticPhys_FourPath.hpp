@@ -1,0 +1,68 @@
+// YADE's side of the elastoplastic contact law; the law itself is in pkg/geometry/ElastoplasticContact.hpp and IncrementalSpring.hpp.
+#pragma once
+
+#include "CurvatureLaw.hpp"
+#include "ElastoplasticPhys.hpp"
+#include "EnergyEntries.hpp"
+
+#include <pkg/geometry/IncrementalSpring.hpp>
+
+namespace yade {
+
+class Law2_ScGeom_ElastoplasticPhys_FourPath : public CurvatureLaw {
+public:
+	virtual ~Law2_ScGeom_ElastoplasticPhys_FourPath() = default;
+	FUNCTOR2D(ScGeom, ElastoplasticPhys);
+
+	// Called by YADE after the attributes were set or loaded.
+	void postLoad(Law2_ScGeom_ElastoplasticPhys_FourPath&) { checkOverlapLimit(overlapLimit); }
+
+protected:
+	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
+
+private:
+	// A spring with a dashpot beside it; the springs and velocities are those in the contact plane.
+	struct SpringAndDashpot {
+		superquadric::SpringStep elastic;
+		Vector3r viscous = Vector3r::Zero();
+
+		Vector3r total() const { return elastic.spring.force + viscous; }
+		Real lost() const { return elastic.slipWork + elastic.softening; }
+	};
+	struct Response {
+		superquadric::elastoplastic::State normal;
+		Real normalViscous;
+		SpringAndDashpot tangential, rolling;
+		Vector3r rollingVelocity; // [rad/s]
+	};
+	enum Energy { Elastic, Plastic, NormalViscous, TangentialViscous, Friction, RollingViscous, RollingFriction, ModelError };
+
+	Response response(const ElastoplasticPhys& phys, const Meeting& bodies) const;
+	SpringAndDashpot tangential(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal) const;
+	SpringAndDashpot rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal, const Vector3r& velocity) const;
+	void bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now);
+	Real modelError(const ElastoplasticPhys& before, const Meeting& bodies, const superquadric::elastoplastic::State& now) const;
+
+	EnergyEntries energies { { "elastic", "plastic", "normalViscous", "tangentialViscous", "frictionDissip", "rollingViscous", "rollingFriction", "nonconservative" } };
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_ElastoplasticPhys_FourPath, LawFunctor,
+		"Contact law for spheres and superquadrics that yield, after Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 2018. All forces are those on body 2.\n\n"
+		"* Normal force on four paths: elastic loading (Hertz), plastic loading, elastic unloading and reloading, further plastic loading. Until the contact yields it follows the local radius of curvature, bounded as in "
+		":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`; then it keeps the one with which it yielded. When the bodies part, the contact forgets.\n"
+		"* Its viscous part $2 C_n\\sqrt{m^* k_n}v_n$, with the tangent stiffness $k_n$ of the unloading branch, acts on the elastic paths only and never makes the whole attractive.\n"
+		"* Tangential force: Mindlin's, in increments $-k_s\\,\\Delta u$ with $k_s=k_n$/stiffnessRatio. It turns with the contact, falls in proportion when $k_s$ falls (Thornton, Cummins & Cleary 2013), and slips at $\\mu f_n$ with the elastic normal force. "
+		"Its viscous part $2 C_t\\sqrt{m k_s}v_t$ is cut where both together would exceed that limit.\n"
+		"* Rolling: type C of Ai, Chen, Rotter & Ooi (2011), a spring of $k_r=2.25k_n(\\mu_r R)^2$ that slips at the couple $\\mu_r R f_n$, $1/R=1/R_1+1/R_2$, and a dashpot of rollingDamping $\\times 2\\sqrt{I_r k_r}$ that acts while it does not, with the "
+		"inertia $I_r$ about the contact. Against the rolling part of the relative angular velocity; what turns about the normal is not resisted.\n\n"
+		"With O.trackEnergy, O.energy has 'elastic' (stored now in all three springs) and the sums 'plastic', 'normalViscous', 'tangentialViscous', 'frictionDissip', 'rollingViscous', 'rollingFriction'. What the tangential and the rolling "
+		"spring lose when their stiffness changes, never negative, counts as micro-slip with their friction. 'nonconservative' is what the normal force takes out (negative: puts in) because it has no potential: until the contact yields it "
+		"follows the radius of curvature, and a rolling or sliding contact point changes the overlap a little other than the approach does. Kinetic energy plus all of these is constant up to the error of the time integration.",
+		((Real, overlapLimit, 0.1, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 and 1 [-]. It bounds the radius of curvature, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
+		((bool, leverArms, true, , "Whether $m^*$ of the normal damping counts that an off-centre push also turns the bodies, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
+	);
+	// clang-format on
+};
+REGISTER_SERIALIZABLE(Law2_ScGeom_ElastoplasticPhys_FourPath);
+
+} // namespace yade
