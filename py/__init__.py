@@ -13,6 +13,7 @@ from .container import Container, boxContainer, cylinderContainer, setHeight
 from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadricEngines
 from .filling import particleNumber, rainFilling, randomOrientation
 from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
+from .materials import elastoplasticMat, normalDampingFor
 from .run import ImpactRun
 from .settling import RestCriterion, scaleStiffness, settle, stiffen
 from .snapshot import Snapshot
@@ -22,6 +23,6 @@ from .version import __version__
 __all__ = [
     'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper',
     'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
-    'equalVolumeExtents', 'measureBed', 'particleNumber', 'particleShape', 'pulse', 'rainFilling', 'randomOrientation',
+    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse', 'rainFilling', 'randomOrientation',
     'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
     'superquadricEngines', '__version__']

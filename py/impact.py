@@ -4,7 +4,6 @@ from collections import namedtuple
 
 from yade import O, utils
 from yade.minieigenHP import Vector3
-from yade.wrapper import CurvatureMat
 
 from . import checks
 from .container import Container
@@ -56,7 +55,7 @@ def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacl
     speed, dropHeight = checks.notNegative('speed', speed), checks.notNegative('dropHeight', dropHeight)
     bottom = max([surface] + [top for top in map(_topBeneath(radius, place), obstacles) if top is not None]) + CLEARANCE
     startSpeed = speedAt(bottom - surface, speed, dropHeight, gravity)
-    own = CurvatureMat(**{**material.dict(), 'id': -1, 'label': '', 'density': density})
+    own = type(material)(**{**material.dict(), 'id': -1, 'label': '', 'density': density})
     O.materials.append(own)
     body = utils.sphere((*place, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
     body.state.vel = Vector3(0, 0, -startSpeed)
@@ -187,9 +186,9 @@ def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81, bas
     O.switchScene()
     try:
         O.resetThisScene()
-        own = CurvatureMat(**parameters)
+        own = type(material)(**parameters)
         O.materials.append(own)
-        ground = own if baseYoung is None else CurvatureMat(**{**parameters, 'young': checks.positive('baseYoung', baseYoung)})
+        ground = own if baseYoung is None else type(material)(**{**parameters, 'young': checks.positive('baseYoung', baseYoung)})
         base = O.bodies.append(utils.wall(0.0, 2, sense=1, material=ground))
         impactor = addImpactor(diameter, density, own, speed, dropHeight, 0.0, (), gravity)
         O.engines = superquadricEngines(gravity=(0, 0, -gravity))

@@ -9,7 +9,7 @@ overlaps give back, and the bed comes to rest a second time.
 import math
 
 from yade import O
-from yade.wrapper import CurvatureMat, CurvaturePhys, NewtonIntegrator
+from yade.wrapper import CurvatureMat, CurvaturePhys, ElastoplasticMat, NewtonIntegrator
 
 from . import checks
 from .engines import criticalTimeStep, engine
@@ -106,10 +106,12 @@ def scaleStiffness(factor):
     The tangential displacements are scaled by factor^(-2/3), as the overlaps will be once the bed has found its
     equilibrium again: the contacts then carry the friction that they carried before.
 
-    :raises ValueError: a body's material is not in O.materials, so that it would be missed
+    :raises ValueError: a body's material is not in O.materials, so that it would be missed; or it yields: a bed of
+        softened grains would have other dents
     """
     factor = checks.positive('factor', factor)
     for body in O.bodies:
+        _requireElastic(body)
         if isinstance(body.mat, CurvatureMat) and body.mat.id < 0:
             raise ValueError(f'body {body.id}: its material is not in O.materials; use O.materials.append')
     for material in O.materials:
@@ -126,9 +128,10 @@ def scaleStiffness(factor):
 def setYoung(body, young):
     """Give the `body` a Young's modulus [Pa] of its own, also in the contacts that it has; its other bodies keep theirs.
 
-    The contacts keep the friction that they carry, as in `scaleStiffness`.
+    The contacts keep the friction that they carry, as in `scaleStiffness`; its material must not yield, as there.
     """
-    own = CurvatureMat(**{**body.mat.dict(), 'id': -1, 'label': '', 'young': checks.positive('young', young)})
+    _requireElastic(body)
+    own = type(body.mat)(**{**body.mat.dict(), 'id': -1, 'label': '', 'young': checks.positive('young', young)})
     O.materials.append(own)
     body.mat = own
     for interaction in body.intrs():
@@ -138,6 +141,12 @@ def setYoung(body, young):
         modulus = 1 / sum((1 - material.poisson ** 2) / material.young for material in pair)
         shrink = (modulus / interaction.phys.effectiveModulus) ** (-2 / 3)
         interaction.phys.updateAttrs({'effectiveModulus': modulus, 'shearDisplacement': shrink * interaction.phys.shearDisplacement})
+
+
+def _requireElastic(body):
+    if isinstance(body.mat, ElastoplasticMat) and math.isfinite(body.mat.yieldStress):
+        raise ValueError(f'body {body.id}: its material yields (yieldStress = {body.mat.yieldStress:g} Pa), so its contacts cannot '
+                         f'be given another stiffness')
 
 
 def rampSteps(softening, layers=1.0):
