@@ -104,12 +104,13 @@ def farthestPoint(body, direction):
 
 
 def makePairs(number, seed, timeStepFraction, randomShape=randomShape, material=lambda generator: {},
-              speed=(0.2, 2), spin=20):
+              speed=(0.2, 2), spin=20, kind=CurvatureMat):
     """A new scene of `number` pairs on a wide grid, ready to step.
 
     :param timeStepFraction: time step over the critical one (14)
     :param randomShape: called with the generator, gives half sizes and exponents of a body
-    :param material: called with the generator, gives attributes of the pair's CurvatureMat other than SMOOTH's
+    :param material: called with the generator, gives attributes of the pair's material other than SMOOTH's
+    :param kind: class of the material
     :param speed: range of the speed of approach [m/s]
     :param spin: of every body at the start [rad/s]
     :returns: list of `Pair`
@@ -120,7 +121,7 @@ def makePairs(number, seed, timeStepFraction, randomShape=randomShape, material=
     pairs = []
     for i in range(number):
         corner = 40 * MEAN_SIZE * Vector3(i % columns, i // columns % columns, i // columns ** 2)
-        ownMaterial = CurvatureMat(**dict(SMOOTH, **material(generator)))
+        ownMaterial = kind(**dict(SMOOTH, **material(generator)))
         shapes = [randomShape(generator), randomShape(generator)]
         pairs.append(addPair(corner, shapes, ownMaterial, generator.uniform(*speed), spin, generator))
     O.engines = sq.superquadricEngines(gravity=(0, 0, 0), verletDist=MEAN_SIZE)
