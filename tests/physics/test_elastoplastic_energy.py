@@ -143,12 +143,12 @@ def test_an_undamped_pair_never_gains_energy(part):
 def randomShapesImbalance(timeStepFraction):
     """Of 60 pairs of random superquadrics that yield, over their kinetic energy; and their entries over the same."""
     def material(generator):
-        return dict(ALL_DISSIPATE, yieldStress=3e6, m0=2.6, exponent=generator.uniform(1, 2.5))
+        return dict(ALL_DISSIPATE, yieldStress=1e7, m0=2.6, exponent=generator.uniform(1, 2.5))
 
     pairs = isolatedpairs.makePairs(60, 11, timeStepFraction, material=material, kind=ElastoplasticMat)
     O.trackEnergy = True
     before = sum(pair.kineticEnergy() for pair in pairs)
-    met = isolatedpairs.collide(pairs, 1e-3)
+    met = isolatedpairs.collide(pairs, 2e-3)  # out of the dents they part slowly
     assert all(pair.kineticEnergy() < 0.99 * pair.initialEnergy for pair in met)
     entries = {name: value / before for name, value in booked().items()}
     return sum(pair.kineticEnergy() for pair in pairs) / before + sum(entries.values()) - 1, entries
