@@ -23,6 +23,6 @@ from .version import __version__
 __all__ = [
     'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper',
     'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
-    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse', 'rainFilling', 'randomOrientation',
-    'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
+    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse',
+    'rainFilling', 'randomOrientation', 'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
     'superquadricEngines', '__version__']

@@ -58,7 +58,8 @@ def drawPath(axis, table):
     axis.plot([], [], 'C3-', label='loading')
     axis.plot([], [], 'C0--', label='unloading and reloading')
     axis.plot([1], [1], 'k.', label='yield')
-    axis.set(xlabel='overlap $d/d_y$', ylabel='force $f/f_y$', ylim=(0, None), xlim=(0, None), title=f'Four paths, $H$ = {ei.ALUMINIUM["exponent"]:g}')
+    axis.set(xlabel='overlap $d/d_y$', ylabel='force $f/f_y$', xlim=(0, None), ylim=(0, None))
+    axis.set_title(f'Four paths, $H$ = {ei.ALUMINIUM["exponent"]:g}')
 
 
 def drawRestitution(axis, table, laws):
@@ -99,7 +100,8 @@ def main(folder):
     write(os.path.join(folder, 'restitution.csv'), ('H', 'V/Vy', 'restitution'), restitution)
     draw(path, restitution, laws, os.path.join(folder, 'elastoplastic_collision.png'))
     for exponent, law in laws.items():
-        print(f'H = {exponent:g}: restitution falls as V^({law.exponent:.4f} +- {law.halfWidth:.4f}) from {FITTED_FROM} to {max(SPEEDS):g} times the yield speed; '
+        print(f'H = {exponent:g}: restitution falls as V^({law.exponent:.4f} +- {law.halfWidth:.4f}) '
+              f'from {FITTED_FROM} to {max(SPEEDS):g} times the yield speed; '
               f'limit {ei.limitExponent(exponent):.4f}')
 
 

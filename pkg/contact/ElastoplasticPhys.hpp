@@ -13,7 +13,10 @@ class ElastoplasticPhys : public CurvaturePhys {
 public:
 	virtual ~ElastoplasticPhys() = default;
 
-	superquadric::elastoplastic::Material plasticity() const { return { yieldStress, { referenceRadius, m0, m1, m2, exponent, smallestRatio, largestRatio } }; }
+	superquadric::elastoplastic::Material plasticity() const
+	{
+		return { yieldStress, { referenceRadius, m0, m1, m2, exponent, smallestRatio, largestRatio } };
+	}
 	void setPlasticity(const superquadric::elastoplastic::Material& material);
 	// History{} until the contact has yielded.
 	superquadric::elastoplastic::History history() const;

@@ -14,10 +14,12 @@ void Ip2_CurvatureMat_CurvatureMat_CurvaturePhys::go(
         const shared_ptr<Material>& material1, const shared_ptr<Material>& material2, const shared_ptr<Interaction>& interaction)
 {
 	if (interaction->phys) return;
-	for (const Material* material : { material1.get(), material2.get() })
-		if (const auto* elastoplastic = dynamic_cast<const ElastoplasticMat*>(material))
-			if (elastoplastic->plasticity().yields())
-				throw std::runtime_error("Ip2_CurvatureMat_CurvatureMat_CurvaturePhys: an ElastoplasticMat that yields needs Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys");
+	for (const Material* material : { material1.get(), material2.get() }) {
+		const auto* elastoplastic = dynamic_cast<const ElastoplasticMat*>(material);
+		if (elastoplastic && elastoplastic->plasticity().yields())
+			throw std::runtime_error("Ip2_CurvatureMat_CurvatureMat_CurvaturePhys: an ElastoplasticMat that yields needs "
+			                         "Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys");
+	}
 	const auto phys = shared_ptr<CurvaturePhys>(new CurvaturePhys);
 	combine(static_cast<const CurvatureMat&>(*material1), static_cast<const CurvatureMat&>(*material2), *phys);
 	interaction->phys = phys;

@@ -32,7 +32,8 @@ ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys,
 	return loadOf(bodies, phys.normalForce + phys.shearForce, now.couple);
 }
 
-Law2_ScGeom_CurvaturePhys_HertzMindlin::Response Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const
+Law2_ScGeom_CurvaturePhys_HertzMindlin::Response
+Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const
 {
 	const Real overlap = bodies.geom.penetrationDepth;
 	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };

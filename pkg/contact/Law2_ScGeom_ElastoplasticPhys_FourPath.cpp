@@ -38,15 +38,15 @@ ContactLoad Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys& curva
 	return loadOf(bodies, phys.normalForce + phys.shearForce, phys.rollingCouple);
 }
 
-Law2_ScGeom_ElastoplasticPhys_FourPath::Response Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, const Meeting& bodies) const
+Law2_ScGeom_ElastoplasticPhys_FourPath::Response
+Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, const Meeting& bodies) const
 {
-	const Vector3r& normal = bodies.geom.normal;
 	Response now;
-	now.normal = ep::normalForce({ phys.plasticity(), phys.effectiveModulus, phys.effectiveRadius }, phys.history(), bodies.geom.penetrationDepth);
+	const ep::Pair pair { phys.plasticity(), phys.effectiveModulus, phys.effectiveRadius };
+	now.normal = ep::normalForce(pair, phys.history(), bodies.geom.penetrationDepth);
 	now.normalViscous = ep::viscousForce(now.normal, phys.normalDamping, phys.normalMass, bodies.approach);
 	now.tangential = tangential(phys, bodies, now.normal);
-	now.rollingVelocity = bodies.spin - normal.dot(bodies.spin) * normal;
-	now.rolling = rolling(phys, bodies, now.normal, now.rollingVelocity);
+	now.rolling = rolling(phys, bodies, now.normal);
 	return now;
 }
 
@@ -61,22 +61,25 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::tangential(const ElastoplasticPhys& phys
 	return now;
 }
 
-Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(
-        const ElastoplasticPhys& phys, const Meeting& bodies, const ep::State& normal, const Vector3r& velocity) const
+Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot
+Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const ep::State& normal) const
 {
+	const Vector3r velocity = bodies.spin - bodies.geom.normal.dot(bodies.spin) * bodies.geom.normal;
 	const Real stiffness = superquadric::rollingStiffness(normal.unloadingStiffness, phys.rollingFriction, phys.effectiveRadius);
 	const Real limit = phys.rollingFriction * phys.effectiveRadius * normal.force;
 	SpringAndDashpot now;
 	now.elastic = superquadric::follow({ bodies.turned(phys.rollingElastic), phys.rollingStiffness }, stiffness, limit, velocity * scene->dt);
 	const auto inverseInertia = [&](const MovingBody& body) {
-		return superquadric::inverseRollingInertia(body.inverseMass, body.largestInverseInertia(), (bodies.geom.contactPoint - body.centreOfMass).norm());
+		const Real distance = (bodies.geom.contactPoint - body.centreOfMass).norm();
+		return superquadric::inverseRollingInertia(body.inverseMass, body.largestInverseInertia(), distance);
 	};
 	const Real compliance = inverseInertia(bodies.body1) + inverseInertia(bodies.body2);
 	if (!now.elastic.slips && compliance > 0) now.viscous = superquadric::dashpot(phys.rollingDamping, 1 / compliance, stiffness, velocity);
 	return now;
 }
 
-// Viscous work by the mean of the force before and after, as the leap-frog integrator does it; the springs and the plastic part know their own.
+// The work of the viscous forces is that of the leap-frog integrator: of the mean of the vectors before, which had the last normal, and after,
+// on the velocity between. The springs and the plastic part know what becomes of theirs.
 void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now)
 {
 	energies.find(*scene);
@@ -84,10 +87,10 @@ void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys&
 	const Real halfStep = scene->dt / 2;
 	book(Elastic, now.normal.elastic + now.tangential.elastic.spring.energy() + now.rolling.elastic.spring.energy());
 	book(Plastic, now.normal.history.dissipated - before.plasticDissipation);
-	book(NormalViscous, halfStep * bodies.approach * (before.normalViscous.dot(bodies.geom.normal) + now.normalViscous));
-	book(TangentialViscous, -halfStep * bodies.sliding.dot(bodies.turned(before.shearViscous) + now.tangential.viscous));
+	book(NormalViscous, halfStep * (now.normalViscous * bodies.approach - before.normalViscous.dot(bodies.velocity)));
+	book(TangentialViscous, -halfStep * bodies.velocity.dot(before.shearViscous + now.tangential.viscous));
 	book(Friction, now.tangential.lost());
-	book(RollingViscous, -halfStep * now.rollingVelocity.dot(bodies.turned(before.rollingViscous) + now.rolling.viscous));
+	book(RollingViscous, -halfStep * bodies.spin.dot(before.rollingViscous + now.rolling.viscous));
 	book(RollingFriction, now.rolling.lost());
 	book(ModelError, modelError(before, bodies, now.normal));
 }
@@ -100,12 +103,14 @@ Real Law2_ScGeom_ElastoplasticPhys_FourPath::modelError(const ElastoplasticPhys&
 	const Real overlap = bodies.geom.penetrationDepth;
 	Real curved = 0;
 	if (before.curveRadius != now.history.radius) {
-		const auto workAt = [&](Real modulus, Real radius, Real depth) { return ep::normalForce({ before.plasticity(), modulus, radius }, {}, depth).work(); };
+		const ep::Pair old { before.plasticity(), before.curveModulus, before.curveRadius };
+		const ep::Pair present { old.material, now.history.modulus, now.history.radius };
 		for (Real depth : { before.overlap, overlap })
-			curved += (workAt(before.curveModulus, before.curveRadius, depth) - workAt(now.history.modulus, now.history.radius, depth)) / 2;
+			curved += (ep::normalForce(old, {}, depth).work() - ep::normalForce(present, {}, depth).work()) / 2;
 	}
-	const Real elasticBefore = (before.normalForce - before.normalViscous).norm();
-	return curved + (elasticBefore + now.force) / 2 * (bodies.approach * scene->dt - overlap + before.overlap);
+	const Vector3r elasticBefore = before.normalForce - before.normalViscous;
+	const Real work = (now.force * bodies.approach - elasticBefore.dot(bodies.velocity)) / 2 * scene->dt;
+	return curved + work - (elasticBefore.norm() + now.force) / 2 * (overlap - before.overlap);
 }
 
 } // namespace yade

@@ -21,7 +21,7 @@ protected:
 	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
 
 private:
-	// A spring with a dashpot beside it; the springs and velocities are those in the contact plane.
+	// A spring in the contact plane with a dashpot beside it.
 	struct SpringAndDashpot {
 		superquadric::SpringStep elastic;
 		Vector3r viscous = Vector3r::Zero();
@@ -33,17 +33,17 @@ private:
 		superquadric::elastoplastic::State normal;
 		Real normalViscous;
 		SpringAndDashpot tangential, rolling;
-		Vector3r rollingVelocity; // [rad/s]
 	};
 	enum Energy { Elastic, Plastic, NormalViscous, TangentialViscous, Friction, RollingViscous, RollingFriction, ModelError };
 
 	Response response(const ElastoplasticPhys& phys, const Meeting& bodies) const;
 	SpringAndDashpot tangential(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal) const;
-	SpringAndDashpot rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal, const Vector3r& velocity) const;
+	SpringAndDashpot rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal) const;
 	void bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now);
 	Real modelError(const ElastoplasticPhys& before, const Meeting& bodies, const superquadric::elastoplastic::State& now) const;
 
-	EnergyEntries energies { { "elastic", "plastic", "normalViscous", "tangentialViscous", "frictionDissip", "rollingViscous", "rollingFriction", "nonconservative" } };
+	EnergyEntries energies { { "elastic", "plastic", "normalViscous", "tangentialViscous", "frictionDissip", "rollingViscous", "rollingFriction",
+		"nonconservative" } };
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_ElastoplasticPhys_FourPath, LawFunctor,

@@ -21,8 +21,7 @@ Meeting::Meeting(const MovingBody& one, const MovingBody& two, const Superquadri
 	findMotion();
 }
 
-Meeting::Meeting(
-        const MovingBody& one, const MovingBody& two, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom)
+Meeting::Meeting(const MovingBody& one, const MovingBody& two, const Side& side1, const Side& side2, const ScGeom& geom)
         : body1(one)
         , body2(two)
         , side1(side1)
@@ -36,7 +35,7 @@ Meeting::Meeting(
 
 void Meeting::findMotion()
 {
-	const Vector3r velocity = body2.velocityAt(geom.contactPoint) - body1.velocityAt(geom.contactPoint);
+	velocity = body2.velocityAt(geom.contactPoint) - body1.velocityAt(geom.contactPoint);
 	approach = -velocity.dot(geom.normal);
 	sliding = velocity + approach * geom.normal;
 }
@@ -55,7 +54,8 @@ Vector3r Meeting::turned(Vector3r vector) const
 
 Meeting::Radii Meeting::radii(Real overlapLimit) const
 {
-	const Real curvature1 = superquadric::hertzMindlin::boundedCurvature(side1, overlapLimit), curvature2 = superquadric::hertzMindlin::boundedCurvature(side2, overlapLimit);
+	const Real curvature1 = superquadric::hertzMindlin::boundedCurvature(side1, overlapLimit);
+	const Real curvature2 = superquadric::hertzMindlin::boundedCurvature(side2, overlapLimit);
 	// YADE's grids and cylinders, without a sphere: only the radii that their functors give.
 	if (curvature1 + curvature2 == 0) return { geom.radius1 * geom.radius2 / (geom.radius1 + geom.radius2), std::min(geom.radius1, geom.radius2) };
 	return { 1 / (curvature1 + curvature2), 1 / std::max(curvature1, curvature2) };
@@ -63,12 +63,13 @@ Meeting::Radii Meeting::radii(Real overlapLimit) const
 
 Real Meeting::normalMass() const
 {
-	return inverseOrZero(body1.inverseMassAgainst(geom.contactPoint, geom.normal) + body2.inverseMassAgainst(geom.contactPoint, geom.normal));
+	const Vector3r &point = geom.contactPoint, &push = geom.normal;
+	return inverseOrZero(body1.inverseMassAgainst(point, push) + body2.inverseMassAgainst(point, push));
 }
 
 Real Meeting::mass() const { return inverseOrZero(body1.inverseMass + body2.inverseMass); }
 
-superquadric::hertzMindlin::Side Meeting::flatOrSphere(const Body& body)
+Meeting::Side Meeting::flatOrSphere(const Body& body)
 {
 	const auto* sphere = dynamic_cast<const Sphere*>(body.shape.get());
 	if (!sphere) return { 0, 0, 0 };
@@ -76,11 +77,7 @@ superquadric::hertzMindlin::Side Meeting::flatOrSphere(const Body& body)
 }
 
 Vector3r Meeting::middleOfOverlap(
-        const ScGeom&                            geom,
-        const superquadric::hertzMindlin::Side& side1,
-        const Vector3r&                          position1,
-        const superquadric::hertzMindlin::Side& side2,
-        const Vector3r&                          position2)
+        const ScGeom& geom, const Side& side1, const Vector3r& position1, const Side& side2, const Vector3r& position2)
 {
 	if (side1.smallestHalfSize > 0) return position1 + (side1.smallestHalfSize - geom.penetrationDepth / 2) * geom.normal;
 	if (side2.smallestHalfSize > 0) return position2 - (side2.smallestHalfSize - geom.penetrationDepth / 2) * geom.normal;

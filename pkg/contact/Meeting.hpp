@@ -11,41 +11,40 @@ namespace yade {
 class SuperquadricGeom;
 
 struct Meeting {
+	using Side = superquadric::hertzMindlin::Side;
 	struct Radii {
 		Real effective; // 1/R = 1/R1 + 1/R2, R* of (7) [m]
 		Real smaller; // of R1 and R2 [m]
 	};
 
 	const MovingBody &body1, &body2;
-	superquadric::hertzMindlin::Side side1, side2;
+	Side side1, side2;
 	const ScGeom& geom;
 	const SuperquadricGeom* ours; // the same geometry, if it is ours
 	Real approach; // speed at which the overlap grows [m/s]
-	Vector3r sliding, spin; // of body 2 relative to body 1, tangential [m/s] and angular [rad/s]
+	Vector3r velocity, sliding; // of body 2 relative to body 1 at the contact, all of it and its tangential part [m/s]
+	Vector3r spin; // the same, angular [rad/s]
 
 	// Under our geometry.
 	Meeting(const MovingBody& body1, const MovingBody& body2, const SuperquadricGeom& geom);
 	// Under YADE's, with the sides of flatOrSphere; its contact point is the middle of the overlap already.
-	Meeting(const MovingBody& body1, const MovingBody& body2, const superquadric::hertzMindlin::Side& side1, const superquadric::hertzMindlin::Side& side2, const ScGeom& geom);
+	Meeting(const MovingBody& body1, const MovingBody& body2, const Side& side1, const Side& side2, const ScGeom& geom);
 
 	// A tangential vector of the last step, turned with the contact; its length stays.
 	Vector3r turned(Vector3r vector) const;
 	// With the curvature of each side within its bounds (HertzMindlin.hpp).
 	Radii radii(Real overlapLimit) const;
-	// What the bodies together set against a push at the contact: along the normal, with lever arms, and of their masses alone. 0 where nothing can move [kg].
+	// What the bodies together set against a push at the contact: along the normal, with lever arms, and of their masses alone. 0 where nothing
+	// can move [kg].
 	Real normalMass() const;
 	Real mass() const;
 
 	// One side under YADE's geometry: a sphere; anything else is flat.
-	static superquadric::hertzMindlin::Side flatOrSphere(const Body& body);
+	static Side flatOrSphere(const Body& body);
 	// YADE's functors put the contact point of a sphere and a wall onto the wall; ours, like that of two spheres, is the middle of
 	// the overlap, so that spheres and round superquadrics have the same lever arms. The size of a flat side is 0.
 	static Vector3r middleOfOverlap(
-	        const ScGeom&                            geom,
-	        const superquadric::hertzMindlin::Side& side1,
-	        const Vector3r&                          position1,
-	        const superquadric::hertzMindlin::Side& side2,
-	        const Vector3r&                          position2);
+	        const ScGeom& geom, const Side& side1, const Vector3r& position1, const Side& side2, const Vector3r& position2);
 
 private:
 	void findMotion();

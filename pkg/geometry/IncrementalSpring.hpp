@@ -29,18 +29,19 @@ struct SpringStep {
 // the force.
 //
 // The work of the mean force before and after, which is what the leap-frog integrator does, is the growth of the energy plus both
-// losses but for (k_old - k)/4 times the square of the growth of the stretch where the stiffness falls (third order in the step: the loss is taken at
-// the mean of the squares, so that it cannot be negative), and for a force that slip reverses within one step.
+// losses but for (k_old - k)/4 times the square of the growth of the stretch where the stiffness falls (third order in the step: the loss is
+// taken at the mean of the squares, so that it cannot be negative), and for a force that slip reverses within one step.
 SpringStep follow(const Spring& before, double stiffness, double limit, const Vector3& displacement);
 
 // What a dashpot sets against a velocity: -2 ratio sqrt(m k) v, with ratio = 1 critical for a mass m on a spring k.
 Vector3 dashpot(double ratio, double mass, double stiffness, const Vector3& velocity);
 
-// k_r [N m/rad] of type C in Ai, Chen, Rotter & Ooi, Powder Technol. 206, 269 (2011), in three dimensions: 2.25 kn (mu_r R_r)^2, with 1/R_r = 1/R1 + 1/R2.
+// k_r [N m/rad] of type C in Ai, Chen, Rotter & Ooi, Powder Technol. 206, 269 (2011), in three dimensions: 2.25 kn (mu_r R_r)^2, with
+// 1/R_r = 1/R1 + 1/R2.
 double rollingStiffness(double normalStiffness, double coefficient, double radius);
 
-// The inverse of a body's moment of inertia [1/(kg m^2)] about a contact at `distance` [m] from its centre, I + m r^2; of both bodies they add up. Zero
-// for a body that cannot be moved or turned (its inverses are zero).
+// The inverse of a body's moment of inertia [1/(kg m^2)] about a contact at `distance` [m] from its centre, I + m r^2; of both bodies they
+// add up. Zero for a body that cannot be moved or turned (its inverses are zero).
 double inverseRollingInertia(double inverseMass, double inverseInertia, double distance);
 
 } // namespace superquadric

@@ -127,7 +127,6 @@ def pushed(shape, partner, soft=True, hardPartner=True):
     O.reset()
     yields = ElastoplasticMat(**{**SOFT, **({} if soft else dict(yieldStress=math.inf))})
     partnerMaterial = CurvatureMat(young=1e8, poisson=0.3, density=2500) if hardPartner else yields
-    particle = {'sphere': lambda at: utils.sphere(at, SIZE, material=yields), 'cube': lambda at: sq.superquadric(at, (SIZE,) * 3, 8, 8, yields)}[shape]
     at = Vector3(0, 0, 1.0001 * SIZE)
     if partner == 'wall':
         O.bodies.append(utils.wall(0, 2, material=partnerMaterial))
@@ -138,7 +137,8 @@ def pushed(shape, partner, soft=True, hardPartner=True):
         at = Vector3(0.05 - 1.0001 * SIZE, 0, 0.05)
     else:
         O.bodies.append(utils.sphere((0, 0, -SIZE), SIZE, material=partnerMaterial, fixed=True))
-    body = O.bodies[O.bodies.append(particle(at))]
+    cube = shape == 'cube'
+    body = O.bodies[O.bodies.append(sq.superquadric(at, (SIZE,) * 3, 8, 8, yields) if cube else utils.sphere(at, SIZE, material=yields))]
     body.state.vel = Vector3(0.5, 0, 0) if partner == 'cylinder' else Vector3(0, 0, -0.5)
     O.engines = sq.superquadricEngines(gravity=(0, 0, 0))
     O.dt = 0.1 * sq.criticalTimeStep()
@@ -207,8 +207,8 @@ def test_a_material_that_yields_never_meets_the_law_that_does_not_know_it(tmp_pa
     """A body that came after the engines: YADE's process ends, with a message."""
     script = tmp_path / 'later.py'
     script.write_text(LATER)
-    done = subprocess.run([sys.executable, sys.yade_argv[0], '-n', '-x', str(script)], capture_output=True, text=True, timeout=60, cwd=tmp_path,
-                          env={**os.environ, 'OMP_NUM_THREADS': '1'})
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', str(script)]
+    done = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=tmp_path, env={**os.environ, 'OMP_NUM_THREADS': '1'})
     assert 'it went on' not in done.stdout
     assert 'an ElastoplasticMat that yields needs Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys' in done.stdout + done.stderr
 

@@ -12,9 +12,9 @@ HARDENING = dict(referenceRadius=2.5e-3, m0=2.5, m1=0.1, m2=-0.01, exponent=1.8,
 
 
 @pytest.mark.parametrize('name, value', [
-    ('yieldStress', 0.0), ('yieldStress', -1e6), ('yieldStress', math.nan), ('yieldStress', 1e8), ('young', 9e4), ('young', -1.0), ('m0', -5.0), ('m0', math.nan),
-    ('m1', -3.0), ('m2', math.inf), ('exponent', 0.0), ('exponent', 3.0), ('referenceRadius', 0.0), ('smallestRatio', -1.0), ('largestRatio', 0.5),
-    ('rollingDamping', -0.1), ('rollingDamping', math.inf), ('frictionAngle', 2.0)])
+    ('yieldStress', 0.0), ('yieldStress', -1e6), ('yieldStress', math.nan), ('yieldStress', 1e8), ('young', 9e4), ('young', -1.0),
+    ('m0', -5.0), ('m0', math.nan), ('m1', -3.0), ('m2', math.inf), ('exponent', 0.0), ('exponent', 3.0), ('referenceRadius', 0.0), ('smallestRatio', -1.0),
+    ('largestRatio', 0.5), ('rollingDamping', -0.1), ('rollingDamping', math.inf), ('frictionAngle', 2.0)])
 def test_refused_values_are_put_back(name, value):
     material = ElastoplasticMat(**SOFT)
     before = material.dict()
@@ -45,7 +45,8 @@ def test_numbers_that_depend_on_each_other_can_be_changed_together():
     assert fresh.yieldStress == 1e5
 
 
-PROPERTIES = dict(name='AlMg', source='made up', young=70e9, poisson=0.33, density=2700, yieldStress=1e8, hardening=HARDENING, stressStrain=[[0, 1e8]], fit={})
+PROPERTIES = dict(name='AlMg', source='made up', young=70e9, poisson=0.33, density=2700, yieldStress=1e8, hardening=HARDENING,
+                  stressStrain=[[0, 1e8]], fit={})
 
 
 def test_material_from_a_dict():
@@ -56,9 +57,11 @@ def test_material_from_a_dict():
 
 
 @pytest.mark.parametrize('change, message', [
-    ({'young': None}, 'young = None: must be a number'), ({'yieldStress': 'high'}, "yieldStress = 'high': must be a number"), ({'yieldStress': 8e10}, 'yieldStress must be below'),
+    ({'young': None}, 'young = None: must be a number'), ({'yieldStress': 'high'}, "yieldStress = 'high': must be a number"),
+    ({'yieldStress': 8e10}, 'yieldStress must be below'),
     ({'hardening': 3}, 'hardening = 3: must be a dict'), ({'hardening': {'m0': 1}}, 'referenceRadius is missing'),
-    ({'hardening': {**HARDENING, 'm3': 1}}, 'there is no m3 = 1'), ({'hardening': {**HARDENING, 'm0': 'x'}}, "m0 = 'x': must be a number"), ({'colour': 1}, 'there is no colour = 1')])
+    ({'hardening': {**HARDENING, 'm3': 1}}, 'there is no m3 = 1'), ({'hardening': {**HARDENING, 'm0': 'x'}}, "m0 = 'x': must be a number"),
+    ({'colour': 1}, 'there is no colour = 1')])
 def test_material_from_a_bad_dict(change, message):
     with pytest.raises(ValueError, match=message):
         sq.elastoplasticMat({**PROPERTIES, **change})

@@ -1,5 +1,7 @@
-// The elastoplastic normal law in collisions, and that no path of the overlap gives energy.
+// The elastoplastic normal law in collisions, its viscous part, and that no path of the overlap gives energy.
 #include "ElastoplasticCases.hpp"
+
+#include <pkg/geometry/HertzMindlin.hpp>
 
 #include <algorithm>
 #include <random>
@@ -171,4 +173,22 @@ TEST(Elastoplastic, NoPathOfTheOverlapGivesEnergy)
 			workAt[place] = work;
 		}
 	}
+}
+
+// (8) in HertzMindlin on path 1; nothing on paths 2 and 4; on path 3 that of a spring as stiff as the branch.
+TEST(Elastoplastic, TheViscousPartActsWhereTheContactDoesNotFlow)
+{
+	const double damping = 0.1, speed = 0.3, dy = yieldOf(aluminium).overlap;
+	const State loading = followed(aluminium, { dy / 2 });
+	const double expected = superquadric::hertzMindlin::normalForce({ modulus, radius, mass }, damping, dy / 2, speed).viscous;
+	EXPECT_NEAR(viscousForce(loading, damping, mass, speed), expected, 1e-14 * expected);
+	for (const std::vector<double>& path : { std::vector<double> { 4 * dy }, { 4 * dy, 3 * dy, 5 * dy } }) {
+		EXPECT_TRUE(followed(aluminium, path).flows);
+		EXPECT_EQ(viscousForce(followed(aluminium, path), damping, mass, speed), 0);
+	}
+	const State unloading = followed(aluminium, { 4 * dy, 3.9 * dy });
+	EXPECT_FALSE(unloading.flows);
+	EXPECT_NEAR(viscousForce(unloading, damping, mass, speed), 2 * damping * std::sqrt(mass * unloading.stiffness) * speed, 1e-14);
+	EXPECT_EQ(viscousForce(unloading, damping, mass, -1e9), -unloading.force);
+	EXPECT_EQ(viscousForce(followed(aluminium, { 4 * dy, dy / 2 }), damping, mass, speed), 0);
 }

@@ -143,8 +143,8 @@ TEST(IncrementalSpring, TheBalanceClosesWithTheSquareOfTheStep)
 	EXPECT_LT(std::abs(last), 1e-6 * smoothPath(4000).work);
 }
 
-// Within a step the stiffness changes first, then the body moves: no step stores or gives more than is put in. Steps of the size of the stretch, factors up
-// to 20.
+// Within a step the stiffness changes first, then the body moves: no step stores or gives more than is put in. Steps of the size of the
+// stretch, factors up to 20.
 TEST(IncrementalSpring, NoRandomPathGivesEnergy)
 {
 	for (int seed = 0; seed < 200; ++seed) {
@@ -192,7 +192,8 @@ TEST(IncrementalSpring, LossesOfHugeStepsAreNotNegative)
 	RandomPath path(3);
 	Spring spring;
 	for (int i = 0; i < 10000; ++i) {
-		const SpringStep step = follow(spring, stiffness * path.factor(1e6), limit * path.factor(1e6), path.displacement(longest * path.factor(1e6)));
+		const double k = stiffness * path.factor(1e6), most = limit * path.factor(1e6);
+		const SpringStep step = follow(spring, k, most, path.displacement(longest * path.factor(1e6)));
 		ASSERT_GE(step.slipWork, 0);
 		ASSERT_GE(step.softening, 0);
 		ASSERT_TRUE(std::isfinite(step.slipWork + step.softening) && step.spring.force.allFinite());
