@@ -1,0 +1,205 @@
+"""A particle damper: particles in a rigid box on a spring, under a harmonic force. One run is one frequency, from parameters to results,
+in stages that can be interrupted and taken up again.
+
+    DamperRun.begin({'frequency': 30.2}, 'results/30.2').run()
+"""
+import math
+import os
+import random
+import sys
+import time
+from collections import Counter
+
+from yade import O, utils
+from yade.minieigenHP import Vector3
+from yade.wrapper import VibratingBoxEngine, VibrationRecorder
+
+from . import checkpoint, damperreport
+from .container import boxContainer
+from .damperparameters import LAWS, checked, materialOf, sampleSteps, shapeOf, timeStep
+from .engines import engine, halfSizes, solverCounters
+from .filling import rainFilling
+from .settling import RestCriterion, settle
+from .stepping import Interrupted, Stepper
+
+RAIN_GAP = 0.05             # clear distance of the particles at the start, over their diameter: they have little way to fall
+QUIET, SUPPORT = 1e-3, 0.1  # at rest before the drive, see RestCriterion: far below what the drive does to the particles
+VERLET = 0.4                # margin of the collider over the smallest half size: few contacts, fast particles
+
+
+class DamperRun:
+    """A run in the folder `output`. Make it with `begin` or `resume`, then `run()`; `summary` holds the results.
+
+    :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
+    :ivar pictures: whether to draw them at the end
+    """
+
+    STAGES = ('settle', 'release', 'drive', 'report')
+
+    def __init__(self, output, state, stream=sys.stderr):
+        self.output, self.state, self.stream = output, state, stream
+        self.parameters = state['parameters']
+        self.summary = None
+        self.pictures = True
+
+    @classmethod
+    def begin(cls, parameters, output, stream=sys.stderr):
+        """Check `parameters` (a dict, see `damperparameters.PARAMETERS`), then build the scene; YADE's present scene is dropped, and so are
+        the results of an earlier run in the folder.
+
+        :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
+        """
+        parameters = checked(parameters)
+        if checkpoint.exists(output):
+            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
+        os.makedirs(output, exist_ok=True)
+        checkpoint.remove(output)
+        for name in damperreport.FILES:
+            if os.path.exists(os.path.join(output, name)):
+                os.remove(os.path.join(output, name))
+        run = cls(output, {'parameters': parameters, 'stage': 'settle', 'seconds': 0.0, 'driveSeconds': 0.0, 'solver': {}, 'settling': {},
+                           'energies': []}, stream)
+        run._build()
+        return run
+
+    @staticmethod
+    def isInterrupted(output):
+        """Whether the folder holds an interrupted run."""
+        return checkpoint.exists(output)
+
+    @classmethod
+    def resume(cls, output, stream=sys.stderr):
+        """Take up the interrupted run in the folder `output`."""
+        return cls(output, checkpoint.load(output), stream)
+
+    @property
+    def ids(self):
+        """Of the particles."""
+        return range(*self.state['particles'])
+
+    def path(self, name):
+        return os.path.join(self.output, name)
+
+    def run(self):
+        """Do all stages that are left, write the results, return the summary.
+
+        :raises Interrupted: after Ctrl-C, with a checkpoint written
+        """
+        self._started = time.perf_counter()
+        with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
+            try:
+                while self.state['stage'] != 'done':
+                    self.stepper.begin(self.state['stage'])
+                    getattr(self, '_' + self.state['stage'])()
+            except Interrupted:
+                self._count()
+                self.state['stepsLeft'] = self.stepper.left
+                checkpoint.save(self.output, self.state)
+                raise
+        return self.summary
+
+    @property
+    def transientPeriods(self):
+        return math.ceil(self.parameters['transientTime'] * self.parameters['frequency'])
+
+    @property
+    def stepsPerPeriod(self):
+        return self.parameters['samples'] * sampleSteps(self.parameters)
+
+    def _plan(self):
+        """Expected steps of the stages, for the estimate of the time left."""
+        periods = self.transientPeriods + self.parameters['periods'] - len(self.state['energies'])
+        settling = 0.6 * self.parameters['settlingTime'] / timeStep(self.parameters) if self.state['stage'] == 'settle' else 0
+        return {'settle': settling, 'release': 0, 'drive': periods * self.stepsPerPeriod, 'report': 0}
+
+    def _build(self):
+        """The scene: the box, held, with the particles on their way down, and the engines of all stages."""
+        p = self.parameters
+        makeMaterial, makeEngines = LAWS[p['law']]
+        O.reset()
+        material = makeMaterial(**materialOf(p), label='particles')
+        O.materials.append(material)
+        container = boxContainer(p['boxWidth'], p['boxDepth'], p['boxHeight'], material)
+        ids = rainFilling(particleShapes(p), container, material, p['seed'], gap=RAIN_GAP)[0] if p['particles'] else []
+        box = VibratingBoxEngine(ids=[container.baseId, *container.sideIds], freeAxes='', mass=p['boxMass'], label='box',
+                                 stiffness=alongAxis(p, p['stiffness']), damping=alongAxis(p, p['dashpot']))
+        O.engines = [*makeEngines(gravity=(0, 0, -p['gravity']), verletDist=VERLET * min(halfSizes(), default=p['radius']), afterForces=[box]),
+                     VibrationRecorder(box=box, particles=ids, iterPeriod=sampleSteps(p), initRun=True, dead=True)]
+        O.dt = timeStep(p)
+        self.state.update(particles=[min(ids), max(ids) + 1] if ids else [0, 0], supports=list(box.ids))
+
+    def _settle(self):
+        """The particles fall and come nearly to rest, while the box is held."""
+        if self.ids:
+            criterion = RestCriterion(self.ids, self.state['supports'], QUIET, SUPPORT, self.state['settling'])
+            self.state['settled'] = settle(self.stepper, criterion, self.parameters['settlingTime'])
+        self._count()
+        self.state['stage'] = 'release'
+
+    def _release(self):
+        """The lid is put on, the box set free, and the force begins, at zero."""
+        p, box = self.parameters, engine(VibratingBoxEngine)
+        self._checkLid()
+        lid = O.bodies.append(utils.wall((0, 0, p['boxHeight']), axis=2, sense=-1, material='particles'))
+        box.ids = [*box.ids, lid]
+        box.updateAttrs({'freeAxes': p['axis'], 'forceAmplitude': alongAxis(p, p['forceAmplitude']), 'frequency': p['frequency'],
+                         'phase': -2 * math.pi * p['frequency'] * O.time})
+        engine(VibrationRecorder).dead = False
+        O.trackEnergy = True
+        self.state.update(stage='drive', startTime=O.time, restCentroid=list(centroid(self.ids)))
+
+    def _checkLid(self):
+        p = self.parameters
+        top = max((O.bodies[i].state.pos[2] for i in self.ids), default=0.0) + shapeOf(p).boundingRadius
+        if top > p['boxHeight']:
+            raise ValueError(f'boxHeight = {p["boxHeight"]!r}: the settled particles reach {top:.4g} m; the lid does not go on')
+
+    def _drive(self):
+        energies = self.state['energies']
+        while len(energies) < self.transientPeriods + self.parameters['periods']:
+            self.stepper.run(self.stepsPerPeriod)
+            energies.append(dict(O.energy.items()))
+        self._count()
+        self.state['stage'] = 'report'
+
+    def _report(self):
+        self.summary = damperreport.write(self)
+        checkpoint.remove(self.output)  # the run is done: a checkpoint of it would only mislead
+        self.state['stage'] = 'done'
+
+    def _count(self):
+        """Add to the totals of a run that may have been interrupted: time taken, solver's counters."""
+        now = time.perf_counter()
+        self.state['seconds'] += now - self._started
+        if self.state['stage'] == 'drive':
+            self.state['driveSeconds'] += now - self._started
+        self._started = now
+        solver = Counter(self.state['solver'])
+        solver.update(solverCounters(reset=True))
+        self.state['solver'] = dict(solver)
+
+
+def alongAxis(parameters, value):
+    """A vector of length `value` along the axis on which the box moves."""
+    return Vector3(*(value if axis == parameters['axis'] else 0 for axis in 'xyz'))
+
+
+def particleShapes(parameters):
+    """`ParticleShape` of every particle: normally distributed sizes, cut at radiusSpread."""
+    shape, spread = shapeOf(parameters), parameters['radiusSpread']
+    rng = random.Random(f'sizes {parameters["seed"]}')  # another sequence than the one that places the particles
+    return [shape.scaled(1 + cutNormal(rng, spread)) if spread else shape for _ in range(parameters['particles'])]
+
+
+def cutNormal(rng, limit):
+    """Normally distributed with a standard deviation of `limit`/3, drawn again beyond `limit`."""
+    while abs(value := rng.gauss(0, limit / 3)) > limit:
+        pass
+    return value
+
+
+def centroid(ids):
+    """Centre of mass of bodies; Vector3 [m], zero without bodies."""
+    states = [O.bodies[i].state for i in ids]
+    mass = sum(state.mass for state in states)
+    return sum((state.mass * state.pos for state in states), Vector3.Zero) / mass if mass else Vector3.Zero

@@ -1,0 +1,99 @@
+"""What a record of a vibration says: amplitude and phase at the drive's frequency, spectrum, period, as arrays in and numbers out."""
+import math
+from collections import namedtuple
+
+import numpy as np
+
+LONGEST = 8          # periods of the drive after which a motion is compared with itself, at most
+REPEATS = 0.1        # of the motion's own deviation: what differs less after so many periods is the same motion again
+LINES = 8            # of the spectrum that are named
+LOWEST_LINE = 0.02   # of the highest one: less is no line
+
+Motion = namedtuple('Motion', 'time box boxVelocity centroid centroidVelocity contactForce')
+Motion.__doc__ = """Arrays of one length: time [s] since the drive began; displacements [m] and velocities [m/s] of the box and of the particles' centre of
+mass, along the axis on which the box moves, in the scene's axes: the box from its empty equilibrium, the centre of mass from where it was
+before the drive; mean force of the contacts on the box since the record before [N]."""
+
+
+def ofRecorder(recorder, axis, startTime, restCentroid):
+    """`Motion` in a `VibrationRecorder`.
+
+    :param axis: 'x', 'y' or 'z'; :param startTime: of the drive [s]; :param restCentroid: centre of mass before it [m], three numbers
+    """
+    index = 'xyz'.index(axis)
+
+    def component(vectors):
+        return np.array([vector[index] for vector in vectors])
+    return Motion(np.array(recorder.times) - startTime, component(recorder.boxDisplacement), component(recorder.boxVelocity),
+                  component(recorder.centroidPosition) - restCentroid[index], component(recorder.centroidVelocity), component(recorder.contactForce))
+
+
+def lastPeriods(motion, periods, samples):
+    """The last `periods` of a motion with `samples` records each."""
+    return Motion(*(column[-periods * samples:] for column in motion))
+
+
+def fundamental(times, values, frequency):
+    """Complex amplitude A of the part at `frequency` [Hz]: values = Im(A exp(2 pi i frequency times)) + constant + rest, by least squares.
+
+    A response to a force F sin(2 pi frequency t) has the amplitude |A| and lags behind it by -arg A.
+    """
+    angles = 2 * math.pi * frequency * np.asarray(times)
+    columns = np.stack([np.sin(angles), np.cos(angles), np.ones_like(angles)], axis=1)
+    sine, cosine, _ = np.linalg.lstsq(columns, np.asarray(values), rcond=None)[0]
+    return complex(sine, cosine)
+
+
+def phaseLag(amplitude):
+    """By which a complex amplitude lags behind the force, in [0, 360) degrees."""
+    return math.degrees(-math.atan2(amplitude.imag, amplitude.real)) % 360
+
+
+def spectrum(values, step):
+    """Frequencies [Hz] and amplitudes of a record over whole periods, its mean taken off; `step` between records [s]."""
+    values = np.asarray(values)
+    amplitudes = 2 / len(values) * np.abs(np.fft.rfft(values - values.mean()))
+    return np.fft.rfftfreq(len(values), step), amplitudes
+
+
+def lines(frequencies, amplitudes):
+    """(frequency, amplitude) of the highest local maxima of a spectrum, highest first."""
+    inner = amplitudes[1:-1]
+    tops = 1 + np.flatnonzero((inner >= amplitudes[:-2]) & (inner > amplitudes[2:]) & (inner >= LOWEST_LINE * amplitudes.max()))
+    ordered = sorted(tops, key=lambda i: -amplitudes[i])[:LINES]
+    return [(float(frequencies[i]), float(amplitudes[i])) for i in ordered]
+
+
+def harmonicShare(values, periods):
+    """Part of the variance at multiples of the drive's frequency, in a record of whole `periods`; the first harmonic's part; both [-]."""
+    power = spectrum(values, 1.0)[1] ** 2
+    total = power.sum()
+    return (float(power[periods::periods].sum() / total), float(power[periods] / total)) if total else (0.0, 0.0)
+
+
+def repetition(values, samples):
+    """By how much the motion differs from itself k periods of the drive later, k = 1, 2, ...: root mean square over that of two
+    unrelated parts of it, [-]; of as many k as leave half of the record to compare."""
+    values = np.asarray(values)
+    unrelated = math.sqrt(2) * values.std()
+    longest = min(LONGEST, len(values) // (2 * samples))
+    return [float(np.sqrt(np.mean((values[k * samples:] - values[:-k * samples]) ** 2)) / unrelated) if unrelated else 0.0
+            for k in range(1, longest + 1)]
+
+
+def period(differences):
+    """The smallest number of the drive's periods after which the motion repeats (`repetition`); None: it does not."""
+    return next((k for k, difference in enumerate(differences, 1) if difference < REPEATS), None)
+
+
+def describe(times, values, periods, samples, frequency, force):
+    """What is to be known of a displacement over whole `periods` of `samples` records: a dict for JSON. SI units, angles in degrees.
+
+    :param force: amplitude of the driving force [N]; it is sin(2 pi frequency t)
+    """
+    amplitude, differences = fundamental(times, values, frequency), repetition(values, samples)
+    share, first = harmonicShare(values, periods)
+    return {'amplitude': abs(amplitude), 'receptance': abs(amplitude) / force, 'phaseLag': phaseLag(amplitude), 'mean': float(np.mean(values)),
+            'peakToPeak': float(np.ptp(values)), 'rms': float(np.std(values)), 'harmonicShare': share, 'fundamentalShare': first,
+            'period': period(differences), 'repetition': differences,
+            'lines': lines(*spectrum(values, float(np.mean(np.diff(times)))))}

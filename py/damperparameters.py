@@ -1,0 +1,170 @@
+"""The parameters of a particle damper: one list for command line, checks and summary.
+
+The defaults are the system of Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 1211-1216 (2018). Its table of contact parameters
+is lost in our copy: tangential damping, rolling friction and the width of the size distribution are choices.
+"""
+import math
+
+from yade.wrapper import CurvatureMat
+
+from . import checks
+from .bodies import SHAPES, particleShape
+from .engines import superquadricEngines
+from .filling import DEEP_FRACTION
+from .parameters import Parameter
+from .restitution import collisionDuration, dampingFor
+
+BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
+LAWS = {'curvature': (CurvatureMat, superquadricEngines)}  # material and engines of a contact law, called with the same arguments
+
+
+def _optional(check):
+    return lambda name, value: None if value is None else check(name, value)
+
+
+def _oneOf(choices):
+    return lambda name, value: checks.oneOf(name, value, choices)
+
+
+def _between(low, high):
+    return lambda name, value: checks.above(name, value, low, high)
+
+
+def _within(low, high, highIncluded=True):
+    return lambda name, value: checks.within(name, value, low, high, highIncluded)
+
+
+def _count(least):
+    return lambda name, value: checks.wholeNumber(name, value, least)
+
+
+PARAMETERS = (
+    Parameter('shape', 'sphere', '', _oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BOX),
+    Parameter('n1', None, '', _optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BOX),
+    Parameter('n2', None, '', _optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BOX),
+    Parameter('aspect', 1.0, '', checks.positive, 'c/a, for ellipsoid, cylinder and block', BOX),
+    Parameter('particles', 2000, '', _count(0), 'number of particles', BOX),
+    Parameter('radius', 1e-3, 'm', checks.positive, 'mean radius of the spheres that have the particles\' volumes', BOX),
+    Parameter('radiusSpread', 0.01, '', _within(0, 1, False), 'radii lie within (1 - spread, 1 + spread) times radius: normally distributed with '
+              'a third of that as standard deviation, and cut', BOX),
+    Parameter('particleMass', None, 'kg', _optional(checks.positive), 'total mass of the particles, instead of what their density gives', BOX),
+    Parameter('boxWidth', 0.042, 'm', checks.positive, 'inner size of the box along x', BOX),
+    Parameter('boxDepth', 0.042, 'm', checks.positive, 'the same along y', BOX),
+    Parameter('boxHeight', 0.024, 'm', checks.positive, 'the same along z', BOX),
+    Parameter('law', 'curvature', '', _oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
+    Parameter('density', 2700.0, 'kg/m3', checks.positive, 'density of the particles', BOX),
+    Parameter('young', 70e9, 'Pa', checks.positive, 'Young\'s modulus of particles and box', BOX),
+    Parameter('poisson', 0.33, '', _between(-1, 0.5), 'Poisson\'s ratio of the same', BOX),
+    Parameter('friction', 0.5, '', checks.notNegative, 'coefficient of sliding friction of the same', BOX),
+    Parameter('restitution', 0.5, '', checks.finite, 'restitution coefficient of the viscous normal force, from which its damping follows', BOX),
+    Parameter('tangentialDamping', None, '', _optional(checks.notNegative), 'Ct of equation (12), instead of the normal one\'s value', BOX),
+    Parameter('rollingFriction', 0.002, '', checks.notNegative, 'mu_r of equation (13)', BOX),
+    Parameter('gravity', 9.81, 'm/s2', checks.positive, 'acceleration of gravity, along -z', BOX),
+    Parameter('softening', 1.0, '', _within(1, 1e4), 'Young\'s modulus is divided by this, for longer time steps', BOX),
+    Parameter('settlingTime', 0.15, 's', checks.positive, 'simulated time after which the drive begins in any case', BOX),
+    Parameter('boxMass', 0.3, 'kg', checks.positive, 'mass of the box', DRIVE),
+    Parameter('stiffness', 9720.0, 'N/m', checks.notNegative, 'of the spring', DRIVE),
+    Parameter('dashpot', 0.0, 'N s/m', checks.notNegative, 'viscous damping of the box itself', DRIVE),
+    Parameter('axis', 'z', '', _oneOf(('x', 'y', 'z')), 'along which the box moves: z is along gravity', DRIVE),
+    Parameter('forceAmplitude', 9.72, 'N', checks.positive, 'of the driving force', DRIVE),
+    Parameter('frequency', 25.5, 'Hz', checks.positive, 'of the driving force', DRIVE),
+    Parameter('transientTime', 1.0, 's', checks.notNegative, 'of the drive before the measurement, rounded up to whole periods', DRIVE),
+    Parameter('periods', 30, '', _count(2), 'of the drive that are measured', DRIVE),
+    Parameter('samples', 200, '', _count(20), 'records of the motion per period', DRIVE),
+    Parameter('stepsPerCollision', 20.0, '', checks.positive, 'time steps in an elastic collision of two of the smallest particles', DRIVE),
+    Parameter('collisionSpeed', 1.0, 'm/s', checks.positive, 'their speed of approach', DRIVE),
+    Parameter('timeStepFraction', 0.3, '', _between(0, 1), 'time step over the critical one (14), at most', DRIVE),
+    Parameter('seed', 1, '', _count(0), 'seed of positions, orientations and sizes', BOX),
+)
+
+
+def defaults():
+    """{name: default} of all parameters."""
+    return {parameter.name: parameter.default for parameter in PARAMETERS}
+
+
+def checked(values):
+    """A complete, checked dict of parameters from `values` (missing ones take their defaults).
+
+    :raises ValueError: an unknown name, or a value that cannot be, alone or with the others
+    """
+    unknown = sorted(set(values) - set(defaults()))
+    if unknown:
+        raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
+    result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
+    dampingFor(result['restitution'])
+    _checkRoom(result)
+    return result
+
+
+def _checkRoom(parameters):
+    """The settled particles have to leave room below the lid."""
+    shape = shapeOf(parameters)
+    largest = (1 + parameters['radiusSpread']) * shape.boundingRadius
+    for name in ('boxWidth', 'boxDepth', 'boxHeight'):
+        if parameters[name] < 2 * largest:
+            raise ValueError(f'{name} = {parameters[name]!r}: the box is smaller than a particle (bounding diameter {2 * largest:g} m)')
+    if filling(parameters) > DEEP_FRACTION:
+        raise ValueError(f'particles = {parameters["particles"]!r}: overfull box; they fill {filling(parameters):.3g} of it, and pack to '
+                         f'{DEEP_FRACTION:g} at most')
+
+
+def shapeOf(parameters):
+    """The particles' mean `ParticleShape`."""
+    return particleShape(*(parameters[name] for name in ('shape', 'radius', 'aspect', 'n1', 'n2')))
+
+
+def boxVolume(parameters):
+    """Inner volume of the box [m3]."""
+    return parameters['boxWidth'] * parameters['boxDepth'] * parameters['boxHeight']
+
+
+def filling(parameters):
+    """Volume of the particles, with the mean size, over that of the box [-]."""
+    return parameters['particles'] * shapeOf(parameters).volume / boxVolume(parameters)
+
+
+def densityOf(parameters):
+    """Density of the particles [kg/m3]; with particleMass the one that gives it with the mean size."""
+    if parameters['particleMass'] is None or parameters['particles'] == 0:
+        return parameters['density']
+    return parameters['particleMass'] / (parameters['particles'] * shapeOf(parameters).volume)
+
+
+def materialOf(parameters):
+    """Keyword arguments of the law's material."""
+    p, normalDamping = parameters, dampingFor(parameters['restitution'])
+    return dict(young=p['young'] / p['softening'], poisson=p['poisson'], density=densityOf(p), frictionAngle=math.atan(p['friction']),
+                normalDamping=normalDamping, tangentialDamping=normalDamping if p['tangentialDamping'] is None else p['tangentialDamping'],
+                rollingFriction=p['rollingFriction'])
+
+
+def collisionTime(parameters):
+    """Duration [s] of an elastic collision of two of the smallest particles at collisionSpeed."""
+    radius = (1 - parameters['radiusSpread']) * min(shapeOf(parameters).extents)
+    material = materialOf(parameters)
+    mass = 4 / 3 * math.pi * material['density'] * radius ** 3
+    modulus = material['young'] / (2 * (1 - material['poisson'] ** 2))
+    return collisionDuration(mass / 2, radius / 2, modulus, parameters['collisionSpeed'])
+
+
+def criticalStep(parameters):
+    """Critical time step (14) [s] of the smallest particle."""
+    smallest = (1 - parameters['radiusSpread']) * min(shapeOf(parameters).extents)
+    return CurvatureMat(**materialOf(parameters)).criticalTimeStep(smallest)
+
+
+def sampleSteps(parameters):
+    """Time steps between two records: as many as keep the time step below both bounds while a period has a whole number of records."""
+    longest = min(collisionTime(parameters) / parameters['stepsPerCollision'], parameters['timeStepFraction'] * criticalStep(parameters))
+    return math.ceil(1 / (parameters['frequency'] * parameters['samples'] * longest))
+
+
+def timeStep(parameters):
+    """Time step of the drive [s]."""
+    return 1 / (parameters['frequency'] * parameters['samples'] * sampleSteps(parameters))
+
+
+def naturalFrequency(parameters, addedMass=0.0):
+    """Of the box on its spring with an `addedMass` [kg] frozen to it [Hz]."""
+    return math.sqrt(parameters['stiffness'] / (parameters['boxMass'] + addedMass)) / (2 * math.pi)

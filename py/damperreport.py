@@ -1,0 +1,86 @@
+"""The results of a finished run of a damper: summary, motion, pictures."""
+from yade import O
+from yade.wrapper import VibrationRecorder
+
+from . import damperplots, dampermotion, results
+from .damperenergy import account
+from .damperparameters import collisionTime, criticalStep, densityOf, filling, materialOf, naturalFrequency, sampleSteps, shapeOf
+from .engines import engine
+
+SUMMARY, RECORD, SPECTRUM, PHASES, HISTORY, ENERGIES = FILES = (
+    'summary.json', 'motion.csv', 'spectrum.png', 'phases.png', 'motion.png', 'energies.png')
+
+
+def write(run):
+    """Write all results of the `run` (`DamperRun`), the summary last. Returns it."""
+    p, state = run.parameters, run.state
+    motion = dampermotion.ofRecorder(engine(VibrationRecorder), p['axis'], state['startTime'], state['restCentroid'])
+    measured = dampermotion.lastPeriods(motion, p['periods'], p['samples'])
+    content = summary(run, measured)
+    results.writeCsv(run.path(RECORD), motion._fields, zip(*motion))
+    if run.pictures:
+        damperplots.spectra(run.path(SPECTRUM), measured, p)
+        damperplots.phasePlanes(run.path(PHASES), measured, p)
+        damperplots.history(run.path(HISTORY), motion, p)
+        damperplots.shares(run.path(ENERGIES), content['energy'], p)
+    results.writeJson(run.path(SUMMARY), content)
+    return content
+
+
+def summary(run, measured):
+    """All that is known of the finished `run`, as a dict for JSON. SI units."""
+    p, state = run.parameters, run.state
+    mass = sum(O.bodies[i].state.mass for i in run.ids)
+    shape, energies = shapeOf(p), state['energies']
+    described = (p['periods'], p['samples'], p['frequency'], p['forceAmplitude'])
+    return {
+        'parameters': p,
+        'material': materialOf(p),
+        'particles': {'number': len(run.ids), 'mass': mass, 'density': densityOf(p), 'filling': filling(p), 'extents': list(shape.extents),
+                      'n1': shape.n1, 'n2': shape.n2, 'yadeSphere': shape.asSphere, 'settled': state.get('settled', True)},
+        'naturalFrequency': {'empty': naturalFrequency(p), 'withParticles': naturalFrequency(p, mass)},
+        'staticDeflection': p['forceAmplitude'] / p['stiffness'] if p['stiffness'] else None,
+        'box': dampermotion.describe(measured.time, measured.box, *described),
+        'centroid': dampermotion.describe(measured.time, measured.centroid, *described) if run.ids else None,
+        'energy': account(energies[-p['periods'] - 1] if len(energies) > p['periods'] else {}, energies[-1]),
+        'timeStep': {'step': O.dt, 'critical': criticalStep(p), 'collision': collisionTime(p), 'perRecord': sampleSteps(p)},
+        'solver': state['solver'],
+        'versions': results.versions(),
+        'threads': O.numThreads,
+        'driveSteps': len(energies) * run.stepsPerPeriod,
+        'driveSeconds': state['driveSeconds'],
+        'wallSeconds': state['seconds'],
+    }
+
+
+def text(content):
+    """The main results of a `summary` in a few lines, and what is wrong with them."""
+    box, centroid, energy, p = (content[name] for name in ('box', 'centroid', 'energy', 'parameters'))
+    natural = content['naturalFrequency']
+    return '\n'.join((
+        f'damper     {content["particles"]["number"]} particles, {content["particles"]["mass"]:.4g} kg, in a box of {p["boxMass"]:g} kg; '
+        f'{natural["empty"]:.2f} Hz empty, {natural["withParticles"]:.2f} Hz with them as added mass',
+        f'drive      {p["forceAmplitude"]:g} N at {p["frequency"]:g} Hz, {p["periods"]} periods measured',
+        _motionText('box', box), *([_motionText('centroid', centroid)] if centroid else []),
+        f'energy     work {energy["work"]:.4g} J; ' + ', '.join(f'{name} {100 * share:.1f} %' for name, share in _ordered(energy['shares'])),
+        f'balance    {100 * energy["balanceError"]:+.3f} % of the work',
+        f'time       {content["wallSeconds"]:.0f} s on {content["threads"]} thread(s), {content["driveSteps"] / content["driveSeconds"]:.0f} steps/s',
+        *(f'WARNING    {warning}' for warning in warnings(content))))
+
+
+def warnings(content):
+    """What makes the results of a `summary` doubtful, one sentence each."""
+    if abs(content['energy']['balanceError']) > 0.01:
+        yield 'the energy balance is off by more than one per cent of the work; take a smaller time step'
+    if content['solver'].get('uncertified'):
+        yield f'{content["solver"]["uncertified"]} of {content["solver"]["solves"]} solutions of the contact problem are not certified'
+
+
+def _motionText(name, motion):
+    period = 'aperiodic' if motion['period'] is None else f'period {motion["period"]}'
+    return (f'{name:10} amplitude {1e3 * motion["amplitude"]:.4g} mm at the drive\'s frequency, {motion["phaseLag"]:.1f} degrees behind it; '
+            f'peak to peak {1e3 * motion["peakToPeak"]:.4g} mm; {period}')
+
+
+def _ordered(shares):
+    return sorted(shares.items(), key=lambda item: -item[1])
