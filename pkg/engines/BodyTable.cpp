@@ -48,19 +48,40 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 	if (changed) {
 		row.shape = shape ? body->shape : shared_ptr<Shape>();
 		row.ours = dynamic_cast<const Superquadric*>(shape);
+		row.sphere = dynamic_cast<const Sphere*>(shape);
 		row.placement.reset();
 		row.motion.reset();
 	}
-	if (!row.ours) return changed;
+	if (row.sphere) return refreshSphere(id, *body->state, changed);
+	return row.ours ? refreshSuperquadric(id, *body, scene, changed) : changed;
+}
+
+bool BodyTable::refreshSuperquadric(Body::id_t id, const Body& body, const Scene& scene, bool changed)
+{
+	Row& row = rows[id];
 	changed |= row.placement && !(row.placement->shape == row.ours->solid()); // attributes set anew
 	const std::optional<superquadric::Placement> before = row.placement;
-	place(row, *body->state);
-	row.motion.emplace(*body, scene);
-	if (changed) return true;
-	const Real moved = motionBound(*before, *row.placement);
-	if (!std::isfinite(moved)) return true; // a place that is not a number proves nothing, coming or going
+	place(row, *body.state);
+	row.motion.emplace(body, scene);
+	return changed || !addTravel(id, motionBound(*before, *row.placement), row.placement->shape.boundingRadius());
+}
+
+bool BodyTable::refreshSphere(Body::id_t id, const State& state, bool changed)
+{
+	Row& row = rows[id];
+	changed |= row.radius != row.sphere->radius;
+	const Real moved = (state.pos - row.centre).norm();
+	row.radius = row.sphere->radius;
+	row.centre = state.pos;
+	return changed || !addTravel(id, moved, row.radius);
+}
+
+// False when the sum is used up.
+bool BodyTable::addTravel(Body::id_t id, Real moved, Real size)
+{
+	if (!std::isfinite(moved)) return false; // a place that is not a number proves nothing, coming or going
 	if (moved > 0) travels[id] = (travels[id] + moved) * (1 + superquadric::tolerances::sumRounding); // never less than the sum
-	return !(travels[id] < superquadric::tolerances::longestTravel * row.placement->shape.boundingRadius());
+	return travels[id] < superquadric::tolerances::longestTravel * size;
 }
 
 void BodyTable::place(Row& row, const State& state)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <core/Scene.hpp>
+#include <pkg/common/Sphere.hpp>
 #include <pkg/contact/MovingBody.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
@@ -20,6 +21,9 @@ public:
 		std::optional<MovingBody> motion; // likewise
 		shared_ptr<Shape> shape; // held, so that no other can take its address unnoticed
 		const Superquadric* ours = nullptr; // the same, if it is one
+		const Sphere* sphere = nullptr; // likewise
+		Vector3r centre; // of a sphere only [m]
+		Real radius = 0; // likewise
 	};
 
 	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time, or when the sums of travel
@@ -27,13 +31,17 @@ public:
 	bool update(const Scene& scene, int threads);
 
 	const Row& operator[](Body::id_t id) const { return rows[id]; }
-	// How far any point of a superquadric may have moved in all, since the table was last made anew [m].
+	// How far any point of a superquadric, or a sphere's centre, may have moved in all, since the table was last made anew [m].
 	Real travel(Body::id_t id) const { return travels[id]; }
 	bool isSuperquadric(Body::id_t id) const { return size_t(id) < rows.size() && rows[id].placement.has_value(); }
+	bool isSphere(Body::id_t id) const { return size_t(id) < rows.size() && rows[id].sphere; }
 
 private:
 	void forget(size_t size);
 	bool refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene& scene);
+	bool refreshSuperquadric(Body::id_t id, const Body& body, const Scene& scene, bool changed);
+	bool refreshSphere(Body::id_t id, const State& state, bool changed);
+	bool addTravel(Body::id_t id, Real moved, Real size);
 	void place(Row& row, const State& state);
 	static Real motionBound(const superquadric::Placement& before, const superquadric::Placement& after);
 

@@ -42,7 +42,7 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	fresh.reserve(held.size());
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
-		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), interaction->isReal(), /*ownsMemory*/ false,
+		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), bodies.isSphere(id1) && bodies.isSphere(id2), interaction->isReal(), /*ownsMemory*/ false,
 		                  interaction->functorCache.constLaw.get(), /*apartUntil*/ -1,
 		                  memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
 	}
@@ -53,10 +53,11 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	for (Row& row : fresh) {
 		while (old != rows.end() && earlier(*old, row))
 			++old;
-		if (old != rows.end() && !earlier(row, *old) && old->interaction == row.interaction && old->ownsMemory) {
+		if (old == rows.end() || earlier(row, *old) || old->interaction != row.interaction) continue;
+		if (!bodiesAreNew) row.apartUntil = old->apartUntil;
+		if (old->ownsMemory) {
 			row.warm = old->warm;
 			row.ownsMemory = true;
-			row.apartUntil = bodiesAreNew ? -1 : old->apartUntil;
 		}
 	}
 	rows.swap(fresh);

@@ -16,6 +16,7 @@ public:
 	struct Row {
 		Body::id_t id1, id2; // as the interaction names them
 		bool superquadrics; // both: the row is solved from here, any other by YADE's dispatch
+		bool spheres; // both: dispatched only where they may touch
 		bool real; // the interaction has geom and phys
 		bool ownsMemory; // `warm` is newer than what the interaction's geometry remembers
 		const LawFunctor* law; // the interaction's, once it is real

@@ -1,6 +1,7 @@
 #include "SuperquadricInteractionLoop.hpp"
 
 #include <pkg/contact/CurvaturePhys.hpp>
+#include <pkg/dem/Ig2_Sphere_Sphere_ScGeom.hpp>
 #include <pkg/geometry/Tolerances.hpp>
 
 #ifdef YADE_OPENMP
@@ -35,7 +36,7 @@ void SuperquadricInteractionLoop::action()
 	const bool changed = bodies.update(*scene, threads);
 	pairs.update(*scene->interactions, bodies, changed);
 	// A periodic image is not where its body is: such pairs are left to YADE's dispatch.
-	const bool direct = geometry && !scene->isPeriodic;
+	const bool direct = geometry && !scene->isPeriodic, directSpheres = sphereReach > 0 && !scene->isPeriodic;
 	const long size = pairs.size();
 	unsigned long stillApart = 0;
 #ifdef YADE_OPENMP
@@ -48,7 +49,7 @@ void SuperquadricInteractionLoop::action()
 			++stillApart;
 		else if (direct && row.superquadrics)
 			solve(row);
-		else
+		else if (!(directSpheres && spheresAreApart(row)))
 			dispatch(row);
 	}
 	if (geometry) geometry->countStillApart(stillApart);
@@ -64,8 +65,11 @@ void SuperquadricInteractionLoop::prepare()
 	physDispatcher->updateScenePtr();
 	lawDispatcher->updateScenePtr();
 	geometry.reset();
-	for (const auto& functor : geomDispatcher->functors)
+	sphereReach = 0;
+	for (const auto& functor : geomDispatcher->functors) {
 		if (!geometry) geometry = YADE_PTR_DYN_CAST<Ig2_Superquadric_Superquadric_SuperquadricGeom>(functor);
+		if (const auto* spheres = dynamic_cast<const Ig2_Sphere_Sphere_ScGeom*>(functor.get())) sphereReach = std::max(sphereReach, spheres->interactionDetectionFactor);
+	}
 	fastLaw = nullptr;
 	movingBodiesLaw = nullptr;
 	for (const auto& functor : lawDispatcher->functors)
@@ -93,9 +97,8 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 	const auto contact = geometry->solveAt(body1, body2, row.warm);
 	row.ownsMemory = true;
 	if (!touches(contact)) {
-		const Real gap = -contact.overlap, least = superquadric::tolerances::gapReserve * (body1.shape.boundingRadius() + body2.shape.boundingRadius());
-		const bool counts = contact.status == superquadric::Status::Apart && gap > least;
-		row.apartUntil = counts ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
+		const Real gap = contact.status == superquadric::Status::Apart ? -contact.overlap : 0;
+		row.apartUntil = apartUntil(row, gap, body1.shape.boundingRadius() + body2.shape.boundingRadius());
 		if (!row.real) return;
 	}
 	if (movingBodiesLaw && row.law == fastLaw && row.interaction->isReal() && touches(contact))
@@ -105,6 +108,24 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 		row.note();
 	}
 	callBack(*row.interaction);
+}
+
+// Sum of travels up to which two bodies with a `gap` between them stay apart; `size` is the sum of their radii [m].
+Real SuperquadricInteractionLoop::apartUntil(const PairTable::Row& row, Real gap, Real size) const
+{
+	const Real least = superquadric::tolerances::gapReserve * size;
+	return gap > least ? bodies.travel(row.id1) + bodies.travel(row.id2) + (1 - superquadric::tolerances::gapReserve) * gap - least : -1;
+}
+
+// Two of YADE's spheres without a contact: as long as they have not moved by the gap between them, their interaction is not looked at.
+bool SuperquadricInteractionLoop::spheresAreApart(PairTable::Row& row) const
+{
+	if (!row.spheres || row.real) return false;
+	if (bodies.travel(row.id1) + bodies.travel(row.id2) < row.apartUntil) return true;
+	const BodyTable::Row &one = bodies[row.id1], &two = bodies[row.id2];
+	const Real reach = sphereReach * (one.radius + two.radius);
+	row.apartUntil = apartUntil(row, (two.centre - one.centre).norm() - reach, reach);
+	return row.apartUntil >= 0;
 }
 
 // Two superquadrics that touched before and still do, under a law that needs no more than their motion.

@@ -3,7 +3,7 @@ import pytest
 from yade import O
 from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
-from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, SuperquadricInteractionLoop
+from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, Sphere, SuperquadricInteractionLoop
 
 HALF_SIZE = 0.01
 LOOPS = [InteractionLoop, SuperquadricInteractionLoop]
@@ -87,3 +87,39 @@ def testErasedInteractionsComeBack():
     O.interactions.erase(0, 1)
     O.run(2, True)
     assert O.interactions[0, 1].isReal
+
+
+def sphericalPair(distance, loop=SuperquadricInteractionLoop):
+    """The same of two of YADE's spheres."""
+    second = pair(distance, loop)
+    for body in O.bodies:
+        body.shape = Sphere(radius=HALF_SIZE)
+    return second
+
+
+@pytest.mark.parametrize('loop', LOOPS)
+def testSpheresThatGrowOrArePutElsewhereAreMet(loop):
+    second = sphericalPair(2.15 * HALF_SIZE, loop)
+    O.run(3, True)
+    assert O.interactions.countReal() == 0
+    second.shape.radius = 1.2 * HALF_SIZE
+    O.run(2, True)
+    assert O.interactions.countReal() == 1
+    second.shape.radius = HALF_SIZE
+    O.run(2, True)
+    assert O.interactions.countReal() == 0
+    second.state.pos = (1.95 * HALF_SIZE, 0, 0)
+    O.run(2, True)
+    assert O.interactions.countReal() == 1
+
+
+def testSpheresMeetAtTheSameStepInBothLoops():
+    begun = []
+    for loop in LOOPS:
+        second = sphericalPair(2.1 * HALF_SIZE, loop)
+        second.state.vel = Vector3(-0.1 * HALF_SIZE / 1000 / O.dt, 0, 0)  # closes the gap in 1,000 steps
+        O.run(990, True)
+        while O.interactions.countReal() == 0:
+            O.step()
+        begun.append(O.iter)
+    assert begun[0] == begun[1] and 999 <= begun[0] <= 1003
