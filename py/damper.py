@@ -57,8 +57,8 @@ class DamperRun:
         for name in damperreport.FILES:
             if os.path.exists(os.path.join(output, name)):
                 os.remove(os.path.join(output, name))
-        run = cls(output, {'parameters': parameters, 'stage': 'settle', 'seconds': 0.0, 'driveSeconds': 0.0, 'solver': {}, 'settling': {},
-                           'energies': []}, stream)
+        run = cls(output, {'parameters': parameters, 'stage': 'settle', 'seconds': 0.0, 'driveSeconds': 0.0, 'solver': {}, 'energies': [],
+                           'settling': {'calm': True}}, stream)
         run._build()
         return run
 
@@ -129,7 +129,8 @@ class DamperRun:
         self.state.update(particles=[min(ids), max(ids) + 1] if ids else [0, 0], supports=list(box.ids))
 
     def _settle(self):
-        """The particles fall and come nearly to rest, while the box is held."""
+        """The particles fall and come nearly to rest, while the box is held. How they get there does not matter here, so that YADE's non-viscous
+        damping helps from the beginning ('calm', see `settle`)."""
         if self.ids:
             criterion = RestCriterion(self.ids, self.state['supports'], QUIET, SUPPORT, self.state['settling'])
             self.state['settled'] = settle(self.stepper, criterion, self.parameters['settlingTime'])
