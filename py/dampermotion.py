@@ -10,8 +10,8 @@ LINES = 8            # of the spectrum that are named
 LOWEST_LINE = 0.02   # of the highest one: less is no line
 
 Motion = namedtuple('Motion', 'time box boxVelocity centroid centroidVelocity contactForce')
-Motion.__doc__ = """Arrays of one length: time [s] since the drive began; displacements [m] and velocities [m/s] of the box and of the particles' centre of
-mass, along the axis on which the box moves, in the scene's axes: the box from its empty equilibrium, the centre of mass from where it was
+Motion.__doc__ = """Arrays of one length: time [s] since the drive began; displacements [m] and velocities [m/s] of the box and of the particles'
+centre of mass, along the axis on which the box moves, in the scene's axes: the box from its empty equilibrium, the centre of mass from where it was
 before the drive; mean force of the contacts on the box since the record before [N]."""
 
 

@@ -21,8 +21,10 @@ def parser():
     """The command line: an option for every parameter of the study."""
     result = argparse.ArgumentParser(prog='yade -n -x scripts/damper.py', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('--output', metavar='FOLDER', default=os.path.join('results', 'damper'), help='folder for the results (default: %(default)s)')
-    result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; parameters are those it was started with')
+    result.add_argument('--output', metavar='FOLDER', default=os.path.join('results', 'damper'),
+                        help='folder for the results (default: %(default)s)')
+    result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; parameters are those it was '
+                        'started with')
     result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
     result.add_argument('--noPictures', action='store_true', help='draw none')
     result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')

@@ -42,7 +42,8 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 	fresh.reserve(held.size());
 	for (auto& interaction : held) {
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
-		fresh.push_back({ id1, id2, bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), bodies.isSphere(id1) && bodies.isSphere(id2), interaction->isReal(), /*ownsMemory*/ false,
+		const bool superquadrics = bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), spheres = bodies.isSphere(id1) && bodies.isSphere(id2);
+		fresh.push_back({ id1, id2, superquadrics, spheres, interaction->isReal(), /*ownsMemory*/ false,
 		                  interaction->functorCache.constLaw.get(), /*apartUntil*/ -1,
 		                  memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
 	}

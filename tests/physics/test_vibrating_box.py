@@ -117,7 +117,8 @@ def test_weight_draws_the_box_down_to_its_equilibrium(ownWeight):
 
 
 def test_energy_of_a_driven_box_closes_to_rounding():
-    makeBox(gravity=(0, 0, -9.81), forceAmplitude=(0, 0, FORCE), frequency=25.5, damping=(0, 0, LIGHT_DAMPING), displacement=(0, 0, 1e-3), ownWeight=True)
+    makeBox(gravity=(0, 0, -9.81), forceAmplitude=(0, 0, FORCE), frequency=25.5, damping=(0, 0, LIGHT_DAMPING), displacement=(0, 0, 1e-3),
+            ownWeight=True)
     O.trackEnergy = True
     O.step()
     start = O.energy.total()
@@ -172,7 +173,8 @@ def test_ball_and_free_box_exchange_momentum_and_lose_none():
 def shakenBalls(stepFraction, width, height, number):
     """Balls of 3 mm radius with all sinks of the contact law, thrown about by a driven box under gravity; energies are tracked."""
     O.reset()
-    material = CurvatureMat(young=1e8, poisson=0.33, density=2700, frictionAngle=math.atan(0.5), normalDamping=0.2, tangentialDamping=0.2, rollingFriction=0.005)
+    material = CurvatureMat(young=1e8, poisson=0.33, density=2700, frictionAngle=math.atan(0.5), normalDamping=0.2, tangentialDamping=0.2,
+                            rollingFriction=0.005)
     O.materials.append(material)
     container = sq.boxContainer(width, width, height, material)
     sq.rainFilling([sq.particleShape('sphere', 3e-3)] * number, container, material, seed=1, sideways=2 if number > 1 else 0)

@@ -13,8 +13,8 @@ from yade.superquadric import damper, damperparameters
 from yade.superquadric.damper import DamperRun
 from yade.superquadric.damperreport import FILES, text
 
-SMALL = dict(particles=60, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, particleMass=0.05, boxMass=0.1, stiffness=4000, forceAmplitude=5,
-             frequency=30, transientTime=0.05, periods=5, samples=40, softening=1e4, settlingTime=0.1)
+SMALL = dict(particles=60, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, particleMass=0.05, boxMass=0.1, stiffness=4000,
+             forceAmplitude=5, frequency=30, transientTime=0.05, periods=5, samples=40, softening=1e4, settlingTime=0.1)
 
 
 def run(folder, **changes):
@@ -97,8 +97,9 @@ def test_otherDirectionsAndShapesClose(tmp_path, changes):
     assert summary['particles']['mass'] == pytest.approx(0.05, rel=1e-3)
 
 
-BAD = [('particles', -1), ('particles', 1.5), ('particles', 10000), ('radius', 0), ('boxHeight', 1e-3), ('boxMass', 0), ('stiffness', -1), ('dashpot', -1), ('axis', 'xy'),
-       ('frequency', 0), ('forceAmplitude', math.nan), ('restitution', 0.05), ('restitution', 1.1), ('periods', 1), ('samples', 5), ('law', 'magic'),
+BAD = [('particles', -1), ('particles', 1.5), ('particles', 10000), ('radius', 0), ('boxHeight', 1e-3), ('boxMass', 0), ('stiffness', -1),
+       ('dashpot', -1), ('axis', 'xy'), ('frequency', 0), ('forceAmplitude', math.nan),
+       ('restitution', 0.05), ('restitution', 1.1), ('periods', 1), ('samples', 5), ('law', 'magic'),
        ('shape', 'egg'), ('softening', 0.5), ('radiusSpread', 1), ('timeStepFraction', 2), ('wheels', 4)]
 
 

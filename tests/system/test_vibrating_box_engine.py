@@ -8,11 +8,12 @@ from yade.wrapper import CurvatureMat, InsertionSortCollider, InteractionLoop, N
 
 import yade.superquadric as sq
 
-STATE = dict(freeAxes='xz', mass=0.3, stiffness=Vector3(1, 2, 3), damping=Vector3(4, 5, 6), forceAmplitude=Vector3(7, 8, 9), frequency=10, phase=1,
-             displacement=Vector3(0.1, 0, 0.2), velocity=Vector3(0.3, 0, 0.4))
+STATE = dict(freeAxes='xz', mass=0.3, stiffness=Vector3(1, 2, 3), damping=Vector3(4, 5, 6), forceAmplitude=Vector3(7, 8, 9), frequency=10,
+             phase=1, displacement=Vector3(0.1, 0, 0.2), velocity=Vector3(0.3, 0, 0.4))
 BAD = [('mass', 0), ('mass', -1), ('mass', math.nan), ('mass', math.inf), ('frequency', -1), ('frequency', math.inf), ('phase', math.nan),
        ('freeAxes', 'w'), ('freeAxes', 'zz'), ('freeAxes', 'Z'), ('freeAxes', 'xyzx'),
-       ('stiffness', Vector3(0, 0, -1)), ('stiffness', Vector3(math.inf, 0, 0)), ('damping', Vector3(0, -1e-9, 0)), ('damping', Vector3(math.nan, 0, 0)),
+       ('stiffness', Vector3(0, 0, -1)), ('stiffness', Vector3(math.inf, 0, 0)), ('damping', Vector3(0, -1e-9, 0)),
+       ('damping', Vector3(math.nan, 0, 0)),
        ('forceAmplitude', Vector3(0, math.nan, 0)), ('displacement', Vector3(0, 0, math.inf)), ('velocity', Vector3(math.nan, 0, 0))]
 
 
@@ -87,7 +88,8 @@ def test_boxBehindTheIntegratorIsRefused():
 
 def test_recorderWithoutBoxOrParticleIsRefused():
     box = aloneWith(utils.wall(0, axis=2))
-    for recorder, message in ((VibrationRecorder(), 'box = None'), (VibrationRecorder(box=box, particles=[7]), 'particles must be bodies in the scene, got 7')):
+    for recorder, message in ((VibrationRecorder(), 'box = None'),
+                              (VibrationRecorder(box=box, particles=[7]), 'particles must be bodies in the scene, got 7')):
         recorder.initRun, recorder.iterPeriod = True, 1
         O.engines = [box, NewtonIntegrator(), recorder]
         with pytest.raises(ValueError, match=message):
@@ -135,7 +137,8 @@ def condition():
     box, recorder = (sq.engines.engine(kind) for kind in (VibratingBoxEngine, VibrationRecorder))
     # Tuples: YADE hands out references to its vectors, which would go on with the run.
     bodies = [(tuple(body.state.pos), tuple(body.state.vel)) for body in O.bodies]
-    series = [list(getattr(recorder, name)) for name in ('times', 'boxDisplacement', 'boxVelocity', 'centroidPosition', 'centroidVelocity', 'contactForce')]
+    lists = 'times', 'boxDisplacement', 'boxVelocity', 'centroidPosition', 'centroidVelocity', 'contactForce'
+    series = [list(getattr(recorder, name)) for name in lists]
     return tuple(box.displacement), tuple(box.velocity), tuple(box.contactImpulse), bodies, series, dict(O.energy.items())
 
 
