@@ -13,7 +13,8 @@ from .container import Container, boxContainer, cylinderContainer, setHeight
 from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadricEngines
 from .filling import particleNumber, rainFilling, randomOrientation
 from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
-from .materials import elastoplasticMat, normalDampingFor
+from .materials import elastoplasticMat
+from .restitution import normalDampingFor
 from .run import ImpactRun
 from .settling import RestCriterion, scaleStiffness, settle, stiffen
 from .snapshot import Snapshot

@@ -12,7 +12,7 @@ from .bodies import SHAPES, particleShape
 from .engines import superquadricEngines
 from .filling import DEEP_FRACTION
 from .parameters import Parameter
-from .restitution import collisionDuration, dampingFor
+from .restitution import collisionDuration, normalDampingFor
 
 BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
 LAWS = {'curvature': (CurvatureMat, superquadricEngines)}  # material and engines of a contact law, called with the same arguments
@@ -92,7 +92,7 @@ def checked(values):
     if unknown:
         raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
     result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
-    dampingFor(result['restitution'])
+    normalDampingFor(result['restitution'])
     _checkRoom(result)
     return result
 
@@ -133,7 +133,7 @@ def densityOf(parameters):
 
 def materialOf(parameters):
     """Keyword arguments of the law's material."""
-    p, normalDamping = parameters, dampingFor(parameters['restitution'])
+    p, normalDamping = parameters, normalDampingFor(parameters['restitution'])
     return dict(young=p['young'] / p['softening'], poisson=p['poisson'], density=densityOf(p), frictionAngle=math.atan(p['friction']),
                 normalDamping=normalDamping, tangentialDamping=normalDamping if p['tangentialDamping'] is None else p['tangentialDamping'],
                 rollingFriction=p['rollingFriction'])

@@ -19,7 +19,7 @@ def restitutionOf(normalDamping):
     return _restitution(eta / math.sqrt(5 - eta ** 2))
 
 
-def dampingFor(restitution):
+def normalDampingFor(restitution):
     """Cn [-] that gives a `restitution` coefficient; ValueError outside (exp(-2), 1], which the law can give.
 
     By bisection: e falls with a.

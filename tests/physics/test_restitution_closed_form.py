@@ -10,7 +10,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.restitution import collisionDuration, dampingFor, restitutionOf
+from yade.superquadric.restitution import collisionDuration, normalDampingFor, restitutionOf
 
 RADIUS = 1e-3
 MATERIAL = dict(young=70e9, poisson=0.33, density=2700, frictionAngle=0)
@@ -38,19 +38,19 @@ def test_known_values(damping, restitution):
 
 @pytest.mark.parametrize('restitution', (1, 0.999, 0.9, 0.5, 0.3, 0.14))
 def test_damping_is_the_inverse(restitution):
-    assert restitutionOf(dampingFor(restitution)) == pytest.approx(restitution, rel=1e-12)
+    assert restitutionOf(normalDampingFor(restitution)) == pytest.approx(restitution, rel=1e-12)
 
 
 @pytest.mark.parametrize('restitution', (0.9, 0.5, 0.2))
 def test_a_ball_rebounds_with_the_restitution_that_was_asked_for(restitution):
-    after, _ = rebound(1, normalDamping=dampingFor(restitution))
+    after, _ = rebound(1, normalDamping=normalDampingFor(restitution))
     assert after == pytest.approx(restitution, rel=1e-3)
 
 
 @pytest.mark.parametrize('restitution', (0.1, 1.001, -1, math.nan, 'much'))
 def test_restitution_that_cannot_be_is_refused(restitution):
     with pytest.raises(ValueError, match='restitution = '):
-        dampingFor(restitution)
+        normalDampingFor(restitution)
 
 
 @pytest.mark.parametrize('speed', (0.1, 1))
