@@ -41,7 +41,8 @@ public:
 		((Real, residualOverlap, 0, Attr::readonly, "$d_R$, where the force ends on unloading; zero until the contact has yielded [m]. |yupdate|"))
 		((Real, plasticDissipation, 0, Attr::readonly, "Plastic work of this contact so far [J]. |yupdate|"))
 		((Vector3r, shearElastic, Vector3r::Zero(), Attr::readonly, "Elastic part of shearForce [N]. |yupdate|"))
-		((Vector3r, rollingElastic, Vector3r::Zero(), Attr::readonly, "Elastic part of rollingCouple [N m]. |yupdate|"))
+		((Vector3r, rollingElastic, Vector3r::Zero(), Attr::readonly, "Elastic part of rollingCouple in the contact plane [N m]. |yupdate|"))
+		((Real, twistingElastic, 0, Attr::readonly, "Elastic part of rollingCouple along the normal [N m]. |yupdate|"))
 		((Vector3r, rollingViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of rollingCouple [N m]. |yupdate|"))
 		((Real, rollingStiffness, 0, Attr::readonly, "$k_r$ [N m/rad]. |yupdate|"))
 		, createIndex();

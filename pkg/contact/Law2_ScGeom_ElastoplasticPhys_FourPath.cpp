@@ -32,7 +32,8 @@ ContactLoad Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys& curva
 	phys.shearViscous = now.tangential.viscous;
 	phys.shearForce = now.tangential.total();
 	phys.rollingStiffness = rolled.stiffness;
-	phys.rollingElastic = rolled.force;
+	phys.twistingElastic = rolled.force.dot(normal);
+	phys.rollingElastic = rolled.force - phys.twistingElastic * normal;
 	phys.rollingViscous = now.rolling.viscous;
 	phys.rollingCouple = now.rolling.total();
 	return loadOf(bodies, phys.normalForce + phys.shearForce, phys.rollingCouple);
@@ -64,17 +65,17 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::tangential(const ElastoplasticPhys& phys
 Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot
 Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const ep::State& normal) const
 {
-	const Vector3r velocity = bodies.spin - bodies.geom.normal.dot(bodies.spin) * bodies.geom.normal;
 	const Real stiffness = superquadric::rollingStiffness(normal.unloadingStiffness, phys.rollingFriction, phys.effectiveRadius);
 	const Real limit = phys.rollingFriction * phys.effectiveRadius * normal.force;
+	const superquadric::Spring before { bodies.turned(phys.rollingElastic) + phys.twistingElastic * bodies.geom.normal, phys.rollingStiffness };
 	SpringAndDashpot now;
-	now.elastic = superquadric::follow({ bodies.turned(phys.rollingElastic), phys.rollingStiffness }, stiffness, limit, velocity * scene->dt);
+	now.elastic = superquadric::follow(before, stiffness, limit, bodies.spin * scene->dt);
 	const auto inverseInertia = [&](const MovingBody& body) {
 		const Real distance = (bodies.geom.contactPoint - body.centreOfMass).norm();
 		return superquadric::inverseRollingInertia(body.inverseMass, body.largestInverseInertia(), distance);
 	};
 	const Real compliance = inverseInertia(bodies.body1) + inverseInertia(bodies.body2);
-	if (!now.elastic.slips && compliance > 0) now.viscous = superquadric::dashpot(phys.rollingDamping, 1 / compliance, stiffness, velocity);
+	if (!now.elastic.slips && compliance > 0) now.viscous = superquadric::dashpot(phys.rollingDamping, 1 / compliance, stiffness, bodies.spin);
 	return now;
 }
 

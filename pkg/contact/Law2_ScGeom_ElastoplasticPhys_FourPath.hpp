@@ -21,7 +21,7 @@ protected:
 	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
 
 private:
-	// A spring in the contact plane with a dashpot beside it.
+	// A spring with a dashpot beside it.
 	struct SpringAndDashpot {
 		superquadric::SpringStep elastic;
 		Vector3r viscous = Vector3r::Zero();
@@ -54,7 +54,7 @@ private:
 		"* Tangential force: Mindlin's, in increments $-k_s\\,\\Delta u$ with $k_s=k_n$/stiffnessRatio. It turns with the contact, falls in proportion when $k_s$ falls (Thornton, Cummins & Cleary 2013), and slips at $\\mu f_n$ with the elastic normal force. "
 		"Its viscous part $2 C_t\\sqrt{m k_s}v_t$ is cut where both together would exceed that limit.\n"
 		"* Rolling: type C of Ai, Chen, Rotter & Ooi (2011), a spring of $k_r=2.25k_n(\\mu_r R)^2$ that slips at the couple $\\mu_r R f_n$, $1/R=1/R_1+1/R_2$, and a dashpot of rollingDamping $\\times 2\\sqrt{I_r k_r}$ that acts while it does not, with the "
-		"inertia $I_r$ about the contact. Against the rolling part of the relative angular velocity; what turns about the normal is not resisted.\n\n"
+		"inertia $I_r$ about the contact. Against the whole relative rotation, twisting included.\n\n"
 		"With O.trackEnergy, O.energy has 'elastic' (stored now in all three springs) and the sums 'plastic', 'normalViscous', 'tangentialViscous', 'frictionDissip', 'rollingViscous', 'rollingFriction'. What the tangential and the rolling "
 		"spring lose when their stiffness changes, never negative, counts as micro-slip with their friction. 'nonconservative' is what the normal force takes out (negative: puts in) because it has no potential: until the contact yields it "
 		"follows the radius of curvature, and a rolling or sliding contact point changes the overlap a little other than the approach does. Kinetic energy plus all of these is constant up to the error of the time integration.",

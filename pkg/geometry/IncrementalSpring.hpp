@@ -1,5 +1,5 @@
-// A spring of changing stiffness that slips at a changing limit, for what a contact does along its plane: the tangential force, and
-// the rolling couple. What is remembered is the force, not the displacement. Units: N, N/m and m, or N m, N m/rad and rad.
+// A spring of changing stiffness that slips at a changing limit, for what a contact does beside its normal force: the tangential force, and
+// the couple against rolling and twisting. What is remembered is the force, not the displacement. Units: N, N/m and m, or N m, N m/rad and rad.
 #pragma once
 
 #include "Types.hpp"
@@ -21,7 +21,7 @@ struct SpringStep {
 	double softening = 0; // dissipated because the stiffness changed [J], never negative
 };
 
-// One step: the stiffness becomes `stiffness`, body 2 moves by `displacement` along the contact plane, and what then exceeds `limit` slips.
+// One step: the stiffness becomes `stiffness`, body 2 moves by `displacement`, and what then exceeds `limit` slips.
 //   Stiffness that grows leaves the force as it is (Mindlin & Deresiewicz 1953: what comes into contact later carries no shear yet);
 //   stiffness that falls takes the force with it, F k/k_old (Thornton, Cummins & Cleary, Powder Technol. 233, 30 (2013)): a force that
 //   stayed would be worth more energy than was put in.

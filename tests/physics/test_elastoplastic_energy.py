@@ -73,7 +73,20 @@ def test_the_rolling_couple_is_a_spring_up_to_its_limit():
             assert phys.rollingViscous[1] == pytest.approx(expected, rel=1e-3)  # by the overlap the centres are nearer
     assert phys.rollingCouple == phys.rollingElastic + phys.rollingViscous
     assert O.forces.t(1) == -O.forces.t(0)
-    assert scene.move(turn=(0, 0, 1)).rollingCouple[2] == 0  # turning about the normal
+
+
+def test_the_same_spring_resists_twisting():
+    friction = 0.05
+    scene, phys = pressed(rollingFriction=friction)
+    limit = friction * scene.radius * phys.normalForce[2]
+    turn = limit / phys.rollingStiffness / 4
+    for i in range(1, 9):
+        couple = scene.move(turn=(0, 0, turn)).rollingCouple
+        assert -couple[2] == pytest.approx(min(limit, i * turn * phys.rollingStiffness), rel=1e-9)
+    for _ in range(10):
+        couple = scene.move(turn=(turn, 0, 0)).rollingCouple
+        assert couple.norm() == pytest.approx(limit, rel=1e-9)  # one limit for both
+    assert couple[0] < 4 * couple[2] < 0  # the twisting has given way
 
 
 def obliqueCollision(part, partner, steps, kind='Sphere', **material):
