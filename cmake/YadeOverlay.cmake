@@ -39,4 +39,4 @@ endforeach()
 
 # For a system-wide installation the plugin goes to YADE's own places, where every `yade` finds it.
 install(TARGETS superquadric LIBRARY DESTINATION ${YADE_libDir})
-install(DIRECTORY py/ DESTINATION ${YADE_libDir}/py/yade/superquadric FILES_MATCHING PATTERN *.py)
+install(DIRECTORY py/ DESTINATION ${YADE_libDir}/py/yade/superquadric FILES_MATCHING PATTERN *.py PATTERN *.yaml)

@@ -4,9 +4,7 @@ What a file may hold is told in docs/study.md. Messages name the place in the fi
 """
 import re
 
-import yaml
-
-from .. import checks
+from .. import checks, yamlfile
 from .experiments import EXPERIMENTS
 from .figures import checkFigure
 from .findings import checkFinding
@@ -21,28 +19,7 @@ def read(path):
 
     :raises ValueError: the file cannot be read, is no YAML, or asks for something that cannot be
     """
-    try:
-        with open(path, encoding='utf-8') as file:
-            content = yaml.load(file, _Loader)
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f'study file = {str(path)!r}: cannot be read ({getattr(error, "strerror", None) or error})') from None
-    except yaml.YAMLError as error:
-        raise ValueError(f'study file = {str(path)!r}: {" ".join(str(error).split())}') from None
-    return checkedStudy(content)
-
-
-class _Loader(yaml.SafeLoader):
-    """YAML's safe loader that knows 5e-3 as a number, and refuses a key that comes twice in a mapping instead of taking the last."""
-
-    def construct_mapping(self, node, deep=False):
-        keys = [key.value for key, _ in node.value if key.tag != 'tag:yaml.org,2002:merge' and isinstance(key.value, str)]
-        for key in keys:
-            if keys.count(key) > 1:
-                raise yaml.YAMLError(f'{key} is given twice, line {node.start_mark.line + 1}')
-        return super().construct_mapping(node, deep)
-
-
-_Loader.add_implicit_resolver('tag:yaml.org,2002:float', re.compile(r'[-+]?[0-9]+[eE][-+]?[0-9]+'), list('-+0123456789'))
+    return checkedStudy(yamlfile.read('study file', path))
 
 
 def checkedStudy(content):

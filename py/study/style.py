@@ -29,14 +29,14 @@ def newFigure(columns, rows, width, height, **sharing):
     return figure, panels
 
 
-def outerLegend(figure, panels):
-    """One legend for all panels, above them, with what is labelled in any."""
+def outerLegend(figure, panels, columns=6):
+    """One legend for all panels, above them, with what is labelled in any, in at most `columns` columns."""
     found = {}
     for axes in panels:
         for handle, label in zip(*axes.get_legend_handles_labels()):
             found.setdefault(label, handle)
     if found:
-        figure.legend(found.values(), found.keys(), loc='outside upper center', ncols=min(len(found), 6), frameon=False)
+        figure.legend(found.values(), found.keys(), loc='outside upper center', ncols=min(len(found), columns), frameon=False)
 
 
 def save(figure, path):

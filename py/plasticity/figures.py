@@ -1,0 +1,94 @@
+"""Pictures of an identification."""
+import numpy
+
+from ..study.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours, save
+from . import fit as fits, hertz, unloading
+from .curves import forceAt
+
+GREY = '#555555'
+ROUNDING = 1e-9   # of an overlap that is the same
+
+
+def hertzPicture(path, curves):
+    """Elastic cases against Hertz: force over half-width, and the relative departures."""
+    figure, ((left, right),) = newFigure(2, 1, 4.6, 3.8)
+    for i, curve in enumerate(curves):
+        style = dict(marker=MARKERS[i], ms=5.5, color=COLOURS[i], mec='white', mew=0.7)
+        left.plot(1e3 * curve.halfWidth, curve.force, ls='', label=curve.name, zorder=3, **style)
+        left.plot(1e3 * hertz.halfWidth(curve.modulus, curve.radius, curve.force), curve.force, color=GREY, lw=1.2)
+        force, halfWidth = hertz.errors(curve)
+        ratio = fits.nominalHalfWidth(curve) / curve.radius
+        right.plot(ratio, 100 * force, lw=1.3, **style)
+        right.plot(ratio, 100 * halfWidth, lw=1.3, ls=':', mfc='none', **{**style, 'mec': COLOURS[i]})
+    left.plot([], [], color=GREY, lw=1.2, label='Hertz')
+    right.plot([], [], color=GREY, lw=1.3, marker=MARKERS[0], ms=5.5, mec='white', label='force at the same overlap')
+    right.plot([], [], color=GREY, lw=1.3, ls=':', marker=MARKERS[0], ms=5.5, mfc='none', label='half-width under the same force')
+    left.set(xscale='log', yscale='log', xlabel='half-width $a$ [mm]', ylabel='force [N]')
+    right.set(xlabel=r'$\sqrt{Rd}/R$', ylabel='departure from Hertz [%]', ylim=(-2, 2))
+    for axes in (left, right):
+        axes.legend(frameon=False, fontsize=9)
+    save(figure, path)
+
+
+def convergencePicture(path, curves):
+    """Force over overlap on several meshes, relative to the finest; `curves` as of cases.convergence."""
+    figure, ((axes,),) = newFigure(1, 1, 5.8, 3.8)
+    *coarser, finest = sorted(curves)
+    reference = curves[finest][1]
+    for colour, marker, fineness in zip(rampColours(len(coarser)), MARKERS, coarser):
+        unknowns, curve = curves[fineness]
+        axes.plot(numpy.sqrt(curve.overlap / curve.yieldPoint.overlap), 100 * (curve.force / forceAt(reference, curve.overlap) - 1),
+                  color=colour, marker=marker, ms=5, lw=1.3, mec='white', mew=0.5, label=f'{unknowns:,} unknowns')
+    axes.axhline(0, color=GREY, lw=1.2, ls='--', label=f'{curves[finest][0]:,} unknowns')
+    axes.set(xscale='log', xlabel=r'$\sqrt{d/d_y}$', ylabel='difference of the force\nfrom the finest mesh [%]')
+    outerLegend(figure, [axes])
+    save(figure, path)
+
+
+def collapsePicture(path, curves, law, disc):
+    """The dimensionless curves of all cases with the fits, above, and the fits' errors, below; `law` and `disc` are the fit.Fits over sqrt(R d) and
+    over the finite elements' half-width."""
+    figure, panels = newFigure(2, 2, 4.7, 3.3, sharex='col', sharey='row')
+    columns = ((law, fits.nominalHalfWidth, r'over $a = \sqrt{Rd}$, as the law in YADE'),
+               (disc, lambda curve: curve.halfWidth, 'over the half-width, as the paper'))
+    for (fit, halfWidth, title), (above, below) in zip(columns, panels.T):
+        for i, curve in enumerate(curves):
+            _drawCase(above, below, fit, fits.points([curve], halfWidth), i, f'{curve.name} ($R$ = {1e3 * curve.radius:.3g} mm)')
+        above.plot([], [], color=GREY, lw=1.2, label='fit (1), (2)')
+        above.set(xscale='log', yscale='log')
+        above.set_title(title, fontsize=10.5)
+        below.axhline(0, color=GREY, lw=1)
+        below.set(xlabel=r'$(a - a_y)/a_y$')
+    panels[0, 0].set_ylabel('$f_p/f_y$')
+    panels[1, 0].set_ylabel('error of the fitted force [%]')
+    outerLegend(figure, panels[0], columns=3)
+    save(figure, path)
+
+
+def _drawCase(above, below, fit, points, i, label):
+    """One case's points, its fitted curve and its errors; open marks, the later cases' smaller, as they lie on each other."""
+    model = fits.force([fit.constants[name] for name in fits.CONSTANTS], points.ratio, points.excess)
+    style = dict(ls='', marker=MARKERS[i], ms=9 - 1.5 * i, mfc='none', mec=COLOURS[i], mew=1, zorder=3)
+    above.plot(points.excess, points.force - 1, label=label, **style)
+    above.plot(points.excess, model - 1, color=GREY, lw=1.2)
+    below.plot(points.excess, 100 * (model / points.force - 1), **style)
+
+
+def unloadingPicture(path, loading, curves):
+    """Loading and each unloading of one case, a panel for each, with the law's branches."""
+    figure, (panels,) = newFigure(len(curves), 1, 4.6, 3.9)
+    overlapUnit, forceUnit = loading.yieldPoint.overlap, loading.yieldPoint.force
+    for axes, curve in zip(panels, curves):
+        before = loading.overlap <= curve.overlap[0] * (1 + ROUNDING)
+        axes.plot(loading.overlap[before] / overlapUnit, loading.force[before] / forceUnit, color=COLOURS[0], lw=1.6, label='loading')
+        axes.plot(curve.overlap / overlapUnit, curve.force / forceUnit, ls='', marker=MARKERS[0], ms=5.5, color=COLOURS[1], mec='white', mew=0.6,
+                  label='unloading', zorder=3)
+        for branch, style, label in ((unloading.lawBranch(curve), '-', r'law: disc $a^2 = R d_{max}$'),
+                                     (unloading.originalBranch(curve), ':', 'original $R$'),
+                                     (unloading.discBranch(curve, curve.halfWidth[0]), '--', "disc of the finite elements")):
+            overlap = numpy.linspace(branch.residual, curve.overlap[0], 200)
+            axes.plot(overlap / overlapUnit, unloading.force(branch, curve.modulus, overlap) / forceUnit, color=GREY, lw=1.3, ls=style, label=label)
+        axes.set(xlabel='overlap $d/d_y$', xlim=(0, None), ylim=(0, None))
+    panels[0].set_ylabel('force $f_N/f_y$')
+    panels[0].legend(frameon=False, fontsize=9)
+    save(figure, path)

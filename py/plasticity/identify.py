@@ -1,0 +1,94 @@
+"""From a material's stress-strain curve to its material file: all cases, the checks, the fit, tables and pictures in one folder."""
+import os
+import platform
+
+import getfem
+import numpy
+import scipy
+
+from .. import results
+from ..version import __version__
+from . import cases, figures, fit, hertz, materialfile, page, unloading
+
+CURVE_COLUMNS = ('effectiveRadius', 'overlap', 'force', 'halfWidth')   # [m], [m], [N], [m]
+HERTZ_LIMIT = 0.02   # largest departure from Hertz with plasticity off
+
+
+class Identification:
+    """All that is computed for one material.
+
+    :param material: dict as of materialfile.read
+    :param report: called with a line of text whenever something is finished
+    :ivar elastic: loading Curves without plasticity; results: cases.Results; convergence: as of cases.convergence
+    :ivar law, disc, constant: fit.Fits over sqrt(R d), over the half-width, and the first with a G that does not depend on R
+    :raises ValueError: the elastic cases miss Hertz by more than HERTZ_LIMIT; the constants are none that the law takes
+    """
+
+    def __init__(self, material, settings, report=lambda line: None):
+        self.material, self.settings = material, settings
+        self.elastic = [self._elastic(name, report) for name in cases.ELASTIC_CASES]
+        self.hertzError = max(float(numpy.abs(error).max()) for curve in self.elastic for error in hertz.errors(curve))
+        if self.hertzError > HERTZ_LIMIT:
+            raise ValueError(f'fineness = {settings.fineness}: elastic contacts miss Hertz by {self.hertzError:.3g}')
+        self.convergence = cases.convergence(material, settings)
+        report('mesh convergence')
+        self.results = [self._plastic(name, report) for name in cases.CASES]
+        self.curves = [result.loading for result in self.results]
+        self.law, self.disc = fit.fit(fit.points(self.curves)), fit.fit(fit.points(self.curves, lambda curve: curve.halfWidth))
+        self.constant = fit.fit(fit.points(self.curves), degree=0)
+        self.unloadings = [unloading.compare(result.loading, curve) for result in self.results for curve in result.unloading]
+
+    def _elastic(self, name, report):
+        curve = cases.runElastic(cases.Case(name, self.material, self.settings, plastic=False))
+        report(f'{name} elastic')
+        return curve
+
+    def _plastic(self, name, report):
+        result = cases.run(cases.Case(name, self.material, self.settings))
+        report(f'{name}: {len(result.loading.force)} loads, {result.failures} halved steps')
+        return result
+
+    def materialContent(self):
+        """Content of the identified material file."""
+        ratios = [curve.radius / fit.REFERENCE_RADIUS for curve in self.curves]
+        hardening = {'referenceRadius': fit.REFERENCE_RADIUS, **self.law.constants, 'smallestRatio': min(ratios), 'largestRatio': max(ratios)}
+        largest = min(curve.overlap[-1] / curve.yieldPoint.overlap for curve in self.curves)
+        return {**self.material, 'hardening': hardening, 'fit': {
+            'cases': list(cases.CASES), 'largestOverlap': _short(largest), 'largestHalfWidth': _short(self.settings.largest),
+            'residual': _short(self.law.rms), 'hertzError': _short(self.hertzError),
+            'intervals': {name: [_short(bound, 4) for bound in bounds] for name, bounds in self.law.intervals.items()},
+            'fineness': self.settings.fineness, 'versions': versions()}}
+
+    def write(self, folder, name):
+        """Write the material file `folder`/`name`.yaml, tables (CSV), pictures and page.md."""
+        os.makedirs(folder, exist_ok=True)
+        place = lambda file: os.path.join(folder, file)
+        writeCurves(place('elastic.csv'), self.elastic)
+        writeCurves(place('loading.csv'), self.curves)
+        writeCurves(place('unloading.csv'), [curve for result in self.results for curve in result.unloading])
+        figures.hertzPicture(place('hertz.png'), self.elastic)
+        figures.convergencePicture(place('convergence.png'), self.convergence)
+        figures.collapsePicture(place('collapse.png'), self.curves, self.law, self.disc)
+        figures.unloadingPicture(place('unloading.png'), self.curves[0], self.results[0].unloading)
+        with results.Replacing(place('page.md')) as file:
+            file.write(page.text(self))
+        materialfile.write(place(f'{name}.yaml'), self.materialContent())
+
+
+def writeCurves(path, curves):
+    """All points of curves.Curves as CSV, the case's name in the first column."""
+    with results.Replacing(path) as file:
+        file.write(','.join(('case', *CURVE_COLUMNS)) + '\n')
+        for curve in curves:
+            for row in zip(curve.overlap, curve.force, curve.halfWidth):
+                file.write(','.join([curve.name, repr(float(curve.radius)), *(repr(float(value)) for value in row)]) + '\n')
+
+
+def versions():
+    """Versions of what took part in the computation."""
+    return {'yade-superquadric': __version__, 'getfem': str(getfem.getfem_env('version')), 'scipy': scipy.__version__, 'numpy': numpy.__version__,
+            'python': platform.python_version()}
+
+
+def _short(value, digits=3):
+    return float(f'{float(value):.{digits}g}')

@@ -1,0 +1,53 @@
+"""Meshes of one body at its contact: polar about the point of first touch, ever finer towards it, so that discs of contact of all sizes
+are resolved alike.
+
+A body fills depth z >= 0 below the contact point (r is the distance from the axis): a sphere's surface is z = R - sqrt(R^2 - r^2), a plate's z = 0.
+The rings are at given r on the surface, so that two bodies with the same r have matching nodes there.
+"""
+from collections import namedtuple
+
+import numpy
+
+Grading = namedtuple('Grading', 'first ratio outerRatio fineRadius sectors')
+Grading.__doc__ = """Sizes of elements.
+
+first: r of the innermost ring [m]; ratio, outerRatio: each ring's width over its r, within and beyond `fineRadius` [m]; sectors:
+number of elements from the axis to the surface.
+"""
+
+REACH = 0.95        # of a sphere's radius, that a body extends to on its surface: nearly the equator
+PLATE_REACH = 2.0   # of the sphere's radius
+
+
+def grading(smallest, largest, fineness=1.0):
+    """Grading for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
+    return Grading(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
+                   sectors=max(4, round(24 * fineness)))
+
+
+def surfaceRadii(grading, reaches):
+    """r [m] of the rings of each body, from the first to each body's reach; what lies within the smallest reach is shared."""
+    reaches = sorted(reaches)
+    radii, result = [grading.first], {}
+    for reach in reaches:
+        start, radii = radii[-1], radii
+        while radii[-1] < reach * (1 - grading.outerRatio / 2):
+            radii.append(radii[-1] * (1 + (grading.ratio if radii[-1] < grading.fineRadius else grading.outerRatio)))
+        radii[-1] = reach if radii[-1] > start else radii[-1]
+        result[reach] = numpy.array(radii)
+    return result
+
+
+def depth(radius, r):
+    """The depth of a body's surface below its contact point [m]; radius infinity is a plate."""
+    if numpy.isinf(radius):
+        return numpy.zeros_like(r)
+    return r**2 / (radius + numpy.sqrt(radius**2 - r**2))   # without the cancellation of R - sqrt(R^2 - r^2)
+
+
+def nodes(radius, surface, sectors):
+    """The corners of all elements: r and z [m], each (rings, sectors + 1), from the axis (first column) to the surface (last)."""
+    z = depth(radius, surface)
+    distance, polar = numpy.hypot(surface, z), numpy.arctan2(surface, z)
+    angles = polar[:, None] * numpy.linspace(0, 1, sectors + 1)
+    return distance[:, None] * numpy.sin(angles), distance[:, None] * numpy.cos(angles)

@@ -1,0 +1,102 @@
+"""The page of an identification: what was found, and how far to trust it. Every number on it comes from the Identification."""
+import math
+
+import numpy
+
+from . import cases, fit as fits, hertz
+from .curves import forceAt
+
+METHOD = """Axisymmetric finite elements (getfem): spheres and plates of this metal, von Mises' plasticity with isotropic hardening along the
+curve, no friction; small strain, contact at the undeformed r. Radii in mm. The overlap d is that of the far ends, plus the elastic give of what was
+cut off there, so that it is Hertz's. R is the effective radius; dy, ay and fy are overlap, half-width and force at the onset of yield with
+p_y = 1.6 sigma_y, (5)-(7) of Li, Gao, Zhang & Liu (2018)."""
+FORMULA = """fN = fy + fy (m0 + m1 r + m2 r^2) ((a - ay)/ay)^H, r = R/(2.5 mm), by least squares of the relative error of the force, at loads in equal
+ratios of sqrt(d). In brackets 95 % intervals from the errors; as these are the power law's own and neighbours are alike, they count as fewer."""
+UNLOADING = """Residual overlap dR over the largest overlap dmax: of the finite elements, and of Hertz branches through the same point with the disc
+a^2 = R dmax (the law in YADE), with the original R, and with the disc of the finite elements, whose a^2/(R dmax) is given. Then the
+restitution that a slow collision of the same work would have, by the finite elements' unloading and by the law's."""
+
+
+def text(found):
+    """The page (Markdown) of the identify.Identification `found`."""
+    return '\n\n'.join([f'# {found.material["name"]}', _header(found), METHOD, _constants(found), _cases(found), _hertz(found),
+                        _convergence(found), _unloading(found)]) + '\n'
+
+
+def _table(columns, rows):
+    """Markdown table of texts."""
+    return '\n'.join(f'| {" | ".join(cells)} |' for cells in (columns, ['---'] * len(columns), *rows))
+
+
+def _header(found):
+    material, curve = found.material, found.curves[0]
+    return (f'{material["source"].strip()}\n\nE = {material["young"] / 1e9:.4g} GPa, nu = {material["poisson"]:.3g}, '
+            f'rho = {material["density"]:.4g} kg/m^3, sigma_y = {material["yieldStress"] / 1e6:.4g} MPa; '
+            f'dy/R = {curve.yieldPoint.overlap / curve.radius:.3g}, ay/R = {curve.yieldPoint.contactRadius / curve.radius:.3g}.')
+
+
+def _constants(found):
+    kinds = (('sqrt(R d): the law in YADE', found.law), ('sqrt(R d), G without R', found.constant), ('half-width of the finite elements', found.disc))
+    rows = [[name, *(_bracketed(fit, constant) for constant in fits.CONSTANTS), f'{100 * fit.rms:.2f} %', f'{100 * fit.largest:.1f} %']
+            for name, fit in kinds]
+    spread = fits.collapse(fits.points(found.curves))
+    return '\n\n'.join(['## Constants', FORMULA, _table(['a', 'm0', 'm1', 'm2', 'H', 'rms error of the force', 'largest'], rows),
+                        f'The cases lie {100 * spread:.2f} % (rms) apart at the same (a - ay)/ay. {_dependence(found.law)}',
+                        '![collapse](collapse.png)'])
+
+
+def _bracketed(fit, name):
+    value, (low, high) = fit.constants[name], fit.intervals[name]
+    return f'{value:.4g}' if low == high else f'{value:.4g} [{low:.3g}, {high:.3g}]'
+
+
+def _dependence(fit):
+    nil = [name for name in ('m1', 'm2') if fit.intervals[name][0] <= 0 <= fit.intervals[name][1]]
+    said = f'{" and ".join(nil)} cannot be told from zero.' if nil else 'that m1 and m2 are not zero is the finite size of the spheres, and the mesh.'
+    return 'Without a length in the material G cannot depend on R, as fy goes with R^2 and ay with R; ' + said
+
+
+def _cases(found):
+    rows = []
+    for result in found.results:
+        curve = result.loading
+        pressure = curve.force[-1] / (math.pi * curve.halfWidth[-1]**2) / found.material['yieldStress']
+        rows.append([curve.name, f'{1e3 * curve.radius:.3g}', f'{curve.overlap[-1] / curve.yieldPoint.overlap:.3g}',
+                     f'{curve.halfWidth[-1] / curve.radius:.3g}', f'{curve.force[-1]:.4g}', f'{pressure:.3g}', f'{result.largestStrain:.2g}',
+                     f'{100 * result.largestPenetration:.2g} %', str(result.failures)])
+    columns = ['case', 'R [mm]', 'largest d/dy', 'largest a/R', 'force there [N]', 'mean pressure/sigma_y there', 'largest plastic strain',
+               'penetration/d (taken off)', 'halved steps']
+    return '## Cases\n\n' + _table(columns, rows)
+
+
+def _hertz(found):
+    rows = []
+    for curve in found.elastic:
+        force, halfWidth = hertz.errors(curve)
+        rows.append([curve.name, _worst(force), _worst(halfWidth), f'{fits.nominalHalfWidth(curve)[-1] / curve.radius:.3g}'])
+    columns = ['case', 'force at the same overlap', 'half-width under the same force', 'up to sqrt(R d)/R']
+    return '\n\n'.join(['## Plasticity off: Hertz', _table(columns, rows), '![Hertz](hertz.png)'])
+
+
+def _worst(errors):
+    return f'{100 * errors[numpy.argmax(numpy.abs(errors))]:+.2f} %'
+
+
+def _convergence(found):
+    finest = found.convergence[max(found.convergence)][1]
+    rows = []
+    for fineness, (unknowns, curve) in sorted(found.convergence.items()):
+        errors = curve.force / forceAt(finest, curve.overlap) - 1
+        cells = ['', ''] if curve is finest else [f'{100 * numpy.sqrt(numpy.mean(errors**2)):.2f} %', _worst(errors)]
+        rows.append([f'{fineness:g}', f'{unknowns:,}', *cells])
+    about = (f'Case {cases.CONVERGENCE_CASE}; force at the same overlap against the finest mesh. The cases above are on meshes of the fineness '
+             f'{found.settings.fineness:g}.')
+    table = _table(['fineness', 'unknowns', 'rms difference', 'largest'], rows)
+    return '\n\n'.join(['## Mesh', about, table, '![mesh convergence](convergence.png)'])
+
+
+def _unloading(found):
+    rows = [[one.case, f'{one.largest:.3g}', f'{one.halfWidth:.2f}', f'{one.residual:.3f}', f'{one.law:.3f}', f'{one.original:.3f}',
+             f'{one.disc:.3f}', f'{one.returned**0.5:.3f}', f'{one.lawReturned**0.5:.3f}'] for one in found.unloadings]
+    columns = ['case', 'dmax/dy', 'a^2/(R dmax)', 'dR/dmax', 'law', 'original R', 'true disc', 'restitution', 'law']
+    return '\n\n'.join(['## Unloading', UNLOADING, _table(columns, rows), '![unloading](unloading.png)'])
