@@ -68,11 +68,9 @@ class Body:
         last = self.surface[-1]
         far = numpy.hypot(last, meshes.depth(self.radius, last))
         # The middle nodes of the far end's straight edges lie a little inside it.
-        held = numpy.hypot(r, z) > far - self._sagitta(far)
+        lastButOne = numpy.hypot(self.surface[-2], meshes.depth(self.radius, self.surface[-2]))
+        held = numpy.hypot(r, z) > far - 0.2 * (far - lastButOne)
         return numpy.nonzero(~(held | ((component == 0) & (r < ON_RING * far))))[0]
-
-    def _sagitta(self, far):
-        return 0.2 * (far - numpy.hypot(self.surface[-2], meshes.depth(self.radius, self.surface[-2])))
 
     def _surfaceDegrees(self):
         """Normal degrees of freedom on the surface, from the axis outwards: corner, middle, corner, ... (2 m + 1,)."""

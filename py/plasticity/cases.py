@@ -12,10 +12,11 @@ from .returnmapping import Material
 PLATE = numpy.inf
 CASES = {'5-5': (5e-3, 5e-3), '5-10': (5e-3, 10e-3), '5-plate': (5e-3, PLATE), '10-10': (10e-3, 10e-3), '10-plate': (10e-3, PLATE)}   # radii [m]
 ELASTIC_CASES = ('5-5', '5-10', '10-plate')   # one each of equal spheres, unequal ones, and a plate: 5-plate and 10-10 are larger copies
-CONVERGENCE_CASE = '5-5'
+REFERENCE_CASE = '5-5'   # for the meshes and for more unloadings
 FIRST_LOAD = 0.7        # a/ay of the smallest load
 LARGEST_GROWTH = 1.7    # of the half-width beyond sqrt(R d): in the plastic limit it goes towards sqrt(2) and more
-RELOADED_AT = 0.4       # of ln(a/ay) between yield and the largest load: where the first unloading begins
+UNLOADINGS = (0.4, 1.0)                             # where they begin: of ln(a/ay) between yield and the largest load
+REFERENCE_UNLOADINGS = (0.15, 0.3, 0.4, 0.55, 0.75, 1.0)   # the same of REFERENCE_CASE
 UNLOADED = 0.87         # of the way back to the residual overlap, as Hertz's law has it
 
 Settings = namedtuple('Settings', 'fineness steps unloadSteps largest convergence')
@@ -87,14 +88,15 @@ class Case:
 
 
 def run(case):
-    """Load a plastic Case to its largest load, with an unloading on the way and one at the end. Returns the Result."""
+    """Load a plastic Case to its largest load, with unloadings on the way and one at the end. Returns the Result."""
     approaches = case.approaches(case.settings.steps)
     logarithms = numpy.log(approaches / case.yieldPoint.overlap)
-    first = numpy.searchsorted(logarithms, RELOADED_AT * logarithms[-1])
+    shares = REFERENCE_UNLOADINGS if case.name == REFERENCE_CASE else UNLOADINGS
+    unloaded = numpy.searchsorted(logarithms, numpy.array(shares) * logarithms[-1])
     loads, unloading = [], []
     for i, approach in enumerate(approaches):
         loads.append(case.contact.press(approach))
-        if i in (first, len(approaches) - 1):
+        if i in unloaded:
             unloading.append(case.curve(case.unload()))
     return Result(case.curve(loads), unloading, max(body.state.hardening.max() for body in case.contact.bodies),
                   max(load.penetration / load.overlap for load in loads), case.contact.failures)
@@ -106,10 +108,10 @@ def runElastic(case):
 
 
 def convergence(material, settings):
-    """Loading Curves of CONVERGENCE_CASE on the meshes of settings.convergence, half as many loads: {fineness: (unknowns, Curve)}."""
+    """Loading Curves of REFERENCE_CASE on the meshes of settings.convergence, half as many loads: {fineness: (unknowns, Curve)}."""
     curves = {}
     for fineness in settings.convergence:
-        case = Case(CONVERGENCE_CASE, material, settings, fineness=fineness)
+        case = Case(REFERENCE_CASE, material, settings, fineness=fineness)
         loads = [case.contact.press(approach) for approach in case.approaches(settings.steps // 2)]
         curves[fineness] = sum(len(body.free) for body in case.contact.bodies), case.curve(loads)
     return curves

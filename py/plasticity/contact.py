@@ -29,8 +29,8 @@ halfWidth: radius of the disc of contact [m]; penetration: mean, weighted by the
 """
 
 System = namedtuple('System', 'residuals matrices spring states force error')
-System.__doc__ = """What trial displacements bring about: of each body the residual forces [N], the stiffness [N/m] and the State they would lead to; the
-stiffness of the points of contact [N/m]; the contact force [N]; the largest residual over the contact force."""
+System.__doc__ = """What trial displacements bring about: of each body the residual forces [N], the stiffness [N/m] and the State they would lead
+to; the stiffness of the points of contact [N/m]; the contact force [N]; the largest residual over the contact force."""
 
 
 class NotConverged(Exception):

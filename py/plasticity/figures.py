@@ -1,12 +1,17 @@
 """Pictures of an identification."""
-import numpy
+import io
+import os
 
-from ..study.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours, save
+import numpy
+from PIL import Image
+
+from ..study.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours
 from . import fit as fits, hertz, unloading
 from .curves import forceAt
 
 GREY = '#555555'
 ROUNDING = 1e-9   # of an overlap that is the same
+DPI, SHADES = 120, 64   # of the PNG: a quarter of the bytes of full colour
 
 
 def hertzPicture(path, curves):
@@ -41,7 +46,7 @@ def convergencePicture(path, curves):
                   color=colour, marker=marker, ms=5, lw=1.3, mec='white', mew=0.5, label=f'{unknowns:,} unknowns')
     axes.axhline(0, color=GREY, lw=1.2, ls='--', label=f'{curves[finest][0]:,} unknowns')
     axes.set(xscale='log', xlabel=r'$\sqrt{d/d_y}$', ylabel='difference of the force\nfrom the finest mesh [%]')
-    outerLegend(figure, [axes])
+    outerLegend(figure, [axes], columns=2)
     save(figure, path)
 
 
@@ -92,3 +97,34 @@ def unloadingPicture(path, loading, curves):
     panels[0].set_ylabel('force $f_N/f_y$')
     panels[0].legend(frameon=False, fontsize=9)
     save(figure, path)
+
+
+def restitutionPicture(path, comparisons, law, ranges):
+    """Restitution over the largest overlap: of the finite elements, of the law, and of the law fitted to smaller loads; `ranges` as of
+    identify.Identification."""
+    figure, ((axes,),) = newFigure(1, 1, 6.0, 4.0)
+    for i, case in enumerate(dict.fromkeys(one.case for one in comparisons)):
+        own = [one for one in comparisons if one.case == case]
+        axes.plot([one.largest for one in own], [one.returned**0.5 for one in own], ls='', marker=MARKERS[i], ms=9 - 1.5 * i, mfc='none',
+                  mec=COLOURS[i], mew=1.2, label=f'{case}, finite elements', zorder=3)
+    largest = max(one.largest for one in comparisons)
+    overlaps = numpy.geomspace(1.01, largest, 120)
+    for colour, (reach, fit) in zip(rampColours(len(ranges)), ranges.items()):
+        axes.plot(overlaps, _restitutions(fit, overlaps), color=colour, lw=1.1, ls='--', label=rf'law, $\sqrt{{Rd}}/R$ < {reach:.2g}')
+    axes.plot(overlaps, _restitutions(law, overlaps), color=GREY, lw=1.6, label='law')
+    axes.set(xscale='log', xlabel='largest overlap $d_{max}/d_y$', ylabel='restitution of a slow collision', ylim=(None, 1.02))
+    axes.legend(frameon=False, fontsize=8.5, loc='lower left')
+    save(figure, path)
+
+
+def _restitutions(fit, overlaps):
+    constants = [fit.constants[name] for name in fits.CONSTANTS]
+    return [unloading.lawRestitution(constants, 1, overlap) for overlap in overlaps]
+
+
+def save(figure, path):
+    """Write the PNG; it takes the place of an older one only when it is complete."""
+    drawn, partial = io.BytesIO(), f'{path}.part'
+    figure.savefig(drawn, format='png', dpi=DPI)
+    Image.open(drawn).convert('RGB').quantize(SHADES, dither=Image.Dither.NONE).save(partial, format='png', optimize=True)
+    os.replace(partial, path)

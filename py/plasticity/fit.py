@@ -11,6 +11,7 @@ import numpy
 from scipy import optimize, stats
 
 REFERENCE_RADIUS = 2.5e-3   # R0 [m], the paper's
+WITHIN = 0.1                # of an overlap: a case's last load counts, whose overlap is a few percent larger than its approach
 CONSTANTS = ('m0', 'm1', 'm2', 'exponent')
 
 Points = namedtuple('Points', 'case ratio excess force')
@@ -26,12 +27,12 @@ def nominalHalfWidth(curve):
     return numpy.sqrt(curve.radius * curve.overlap)
 
 
-def points(curves, halfWidth=nominalHalfWidth):
-    """Points of the curves.Curves beyond yield; `halfWidth` gives a [m] of a curve."""
+def points(curves, halfWidth=nominalHalfWidth, largest=numpy.inf):
+    """Points of the curves.Curves beyond yield up to sqrt(R d) = `largest` R; `halfWidth` gives a [m] of a curve."""
     parts = []
     for i, curve in enumerate(curves):
         excess = halfWidth(curve) / curve.yieldPoint.contactRadius - 1
-        beyond = (excess > 0) & (curve.overlap > curve.yieldPoint.overlap)
+        beyond = (excess > 0) & (curve.overlap > curve.yieldPoint.overlap) & (curve.overlap <= largest**2 * curve.radius * (1 + WITHIN))
         count = int(beyond.sum())
         parts.append((numpy.full(count, i), numpy.full(count, curve.radius / REFERENCE_RADIUS), excess[beyond],
                       curve.force[beyond] / curve.yieldPoint.force))

@@ -11,6 +11,7 @@ from ..version import __version__
 from . import cases, figures, fit, hertz, materialfile, page, unloading
 
 CURVE_COLUMNS = ('effectiveRadius', 'overlap', 'force', 'halfWidth')   # [m], [m], [N], [m]
+RANGES = (1 / 3, 1 / 2, 2 / 3)   # of the largest sqrt(R d)/R
 HERTZ_LIMIT = 0.02   # largest departure from Hertz with plasticity off
 
 
@@ -21,6 +22,7 @@ class Identification:
     :param report: called with a line of text whenever something is finished
     :ivar elastic: loading Curves without plasticity; results: cases.Results; convergence: as of cases.convergence
     :ivar law, disc, constant: fit.Fits over sqrt(R d), over the half-width, and the first with a G that does not depend on R
+    :ivar ranges: as `constant`, but for loads up to a smaller sqrt(R d)/R: {that: fit.Fit}; unloadings: unloading.Comparisons
     :raises ValueError: the elastic cases miss Hertz by more than HERTZ_LIMIT; the constants are none that the law takes
     """
 
@@ -36,6 +38,7 @@ class Identification:
         self.curves = [result.loading for result in self.results]
         self.law, self.disc = fit.fit(fit.points(self.curves)), fit.fit(fit.points(self.curves, lambda curve: curve.halfWidth))
         self.constant = fit.fit(fit.points(self.curves), degree=0)
+        self.ranges = {share * settings.largest: fit.fit(fit.points(self.curves, largest=share * settings.largest), degree=0) for share in RANGES}
         self.unloadings = [unloading.compare(result.loading, curve) for result in self.results for curve in result.unloading]
 
     def _elastic(self, name, report):
@@ -69,7 +72,10 @@ class Identification:
         figures.hertzPicture(place('hertz.png'), self.elastic)
         figures.convergencePicture(place('convergence.png'), self.convergence)
         figures.collapsePicture(place('collapse.png'), self.curves, self.law, self.disc)
-        figures.unloadingPicture(place('unloading.png'), self.curves[0], self.results[0].unloading)
+        reference = list(cases.CASES).index(cases.REFERENCE_CASE)
+        shown = [self.results[reference].unloading[i] for i in (2, -1)]
+        figures.unloadingPicture(place('unloading.png'), self.curves[reference], shown)
+        figures.restitutionPicture(place('restitution.png'), self.unloadings, self.law, self.ranges)
         with results.Replacing(place('page.md')) as file:
             file.write(page.text(self))
         materialfile.write(place(f'{name}.yaml'), self.materialContent())

@@ -26,14 +26,12 @@ def grading(smallest, largest, fineness=1.0):
 
 
 def surfaceRadii(grading, reaches):
-    """r [m] of the rings of each body, from the first to each body's reach; what lies within the smallest reach is shared."""
-    reaches = sorted(reaches)
+    """{reach: r of the rings [m], from the first to the reach}; what lies within the smallest reach is shared. Reaches differ by more than a ring."""
     radii, result = [grading.first], {}
-    for reach in reaches:
-        start, radii = radii[-1], radii
+    for reach in sorted(reaches):
         while radii[-1] < reach * (1 - grading.outerRatio / 2):
             radii.append(radii[-1] * (1 + (grading.ratio if radii[-1] < grading.fineRadius else grading.outerRatio)))
-        radii[-1] = reach if radii[-1] > start else radii[-1]
+        radii[-1] = reach
         result[reach] = numpy.array(radii)
     return result
 

@@ -10,11 +10,15 @@ from collections import namedtuple
 import numpy
 from scipy import integrate
 
+from . import fit
+
+STEPS = 4001   # of the law's curve
+
 Branch = namedtuple('Branch', 'radius residual')   # R' [m], dR [m]
-Comparison = namedtuple('Comparison', 'case largest halfWidth residual law original disc returned lawReturned')
-Comparison.__doc__ = """One unloading. largest: dmax/dy; halfWidth: a^2/(R dmax) of the finite elements; residual: dR/dmax; law, original, disc: the
-same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives back over the work of loading,
-lawReturned: the law's branch over the same work."""
+Comparison = namedtuple('Comparison', 'case ratio largest halfWidth residual law original disc returned lawReturned')
+Comparison.__doc__ = """One unloading. ratio: R/R0; largest: dmax/dy; halfWidth: a^2/(R dmax) of the finite elements; residual: dR/dmax; law,
+original, disc: the same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives back over the
+work of loading, lawReturned: the law's branch over the same work."""
 
 
 def lawBranch(curve):
@@ -53,9 +57,22 @@ def compare(loading, curve):
     returned = (integrate.simpson(curve.force[::-1], x=curve.overlap[::-1]) + tail) / work
     law = lawBranch(curve)
     lawReturned = 2 / 5 * curve.force[0] * (largest - law.residual) / work
-    return Comparison(curve.name, largest / curve.yieldPoint.overlap, curve.halfWidth[0]**2 / (curve.radius * largest), end / largest,
-                      law.residual / largest, originalBranch(curve).residual / largest, discBranch(curve, curve.halfWidth[0]).residual / largest,
-                      returned, lawReturned)
+    return Comparison(curve.name, curve.radius / fit.REFERENCE_RADIUS, largest / curve.yieldPoint.overlap,
+                      curve.halfWidth[0]**2 / (curve.radius * largest), end / largest, law.residual / largest,
+                      originalBranch(curve).residual / largest, discBranch(curve, curve.halfWidth[0]).residual / largest, returned, lawReturned)
+
+
+def lawRestitution(constants, ratio, largest):
+    """Restitution of a slow collision by the law alone, with loading and unloading as in pkg/geometry/ElastoplasticContact.cpp.
+
+    :param constants: m0, m1, m2, H; :param ratio: R/R0; :param largest: dmax/dy > 1
+    """
+    scaled = numpy.linspace(1, numpy.sqrt(largest), STEPS)
+    fitted = fit.force(constants, ratio, scaled - 1)
+    residual = numpy.maximum.accumulate(scaled**2 - fitted / scaled)   # dR/dy; where it would shrink it stays
+    force = scaled * (scaled**2 - residual)
+    work = 2 / 5 + integrate.trapezoid(2 * scaled * force, scaled)
+    return float(numpy.sqrt(2 / 5 * force[-1] * (largest - residual[-1]) / work))
 
 
 def _work(loading, largest):

@@ -2,7 +2,7 @@
 import numpy
 import pytest
 
-from yade.superquadric.plasticity import cases, hertz
+from yade.superquadric.plasticity import cases, hertz, mesh
 from yade.superquadric.plasticity.returnmapping import Material
 
 YOUNG, POISSON, YIELD = 7e10, 0.33, 3e8
@@ -18,6 +18,23 @@ def uniaxial(material, strain):
         stress, tangent, _ = material.respond(numpy.array([[lateral, strain, lateral, 0.0]]), state)
         lateral -= stress[0, 0] / (tangent[0, 0, 0] + tangent[0, 0, 2])
     return stress[0]
+
+
+def test_rings_of_two_bodies_match_and_lie_on_their_surfaces():
+    grading = mesh.grading(2e-5, 4e-4, 0.5)
+    surfaces = mesh.surfaceRadii(grading, [9e-3, 4e-3])
+    inner, outer = surfaces[4e-3], surfaces[9e-3]
+    assert inner[-1] == 4e-3 and outer[-1] == 9e-3 and numpy.array_equal(inner, outer[:len(inner)])
+    assert numpy.all(numpy.diff(outer) > 0)
+    fine = outer < grading.fineRadius
+    assert numpy.diff(outer[fine]) == pytest.approx(grading.ratio * outer[fine][:-1])
+    for radius, surface in ((5e-3, inner), (10e-3, outer), (numpy.inf, outer)):
+        r, z = mesh.nodes(radius, surface, grading.sectors)
+        assert r.shape == (len(surface), grading.sectors + 1)
+        assert r[:, 0] == pytest.approx(0, abs=1e-18) and numpy.all(z >= -1e-18)
+        assert r[:, -1] == pytest.approx(surface, rel=1e-12)
+        if numpy.isfinite(radius):
+            assert numpy.hypot(r[:, -1], radius - z[:, -1]) == pytest.approx(numpy.full(len(surface), radius), rel=1e-12)
 
 
 @pytest.mark.parametrize('plastic, stress', [(0.004, 1.08 * YIELD), (0.01, 1.2 * YIELD), (0.255, 1.6 * YIELD), (0.9, 2 * YIELD)])

@@ -93,3 +93,18 @@ def test_flattened_branch_returns_what_it_should():
     branch = unloading.discBranch(curve, disc)
     assert branch.residual == pytest.approx(1e-4 - way / 2)
     assert unloading.force(branch, MODULUS, 1e-4) == pytest.approx(force)
+
+
+@pytest.mark.parametrize('largest', [1.5, 9.0, 100.0])
+def test_restitution_by_the_law_against_its_closed_form(largest):
+    """G = 2, H = 2, where the residual overlap grows all the way: work of loading and elastic energy in closed form, in units of fy dy."""
+    w = numpy.sqrt(largest) - 1
+    force = 1 + 2 * w**2
+    work = 2 / 5 + w * (2 + w) + 4 * w**3 * (1 / 3 + w / 4)
+    elastic = 2 / 5 * force * (force / numpy.sqrt(largest))   # dmax - dR = 3 f/(4 E* a)
+    assert unloading.lawRestitution((2, 0, 0, 2), 1, largest) == pytest.approx(numpy.sqrt(elastic / work), rel=1e-5)
+
+
+def test_restitution_where_the_law_pauses():
+    """Constants that would lie above Hertz beyond yield: nothing is lost there."""
+    assert unloading.lawRestitution((20, 0, 0, 1.0), 1, 2.0) == pytest.approx(1, abs=1e-5)
