@@ -159,7 +159,7 @@ def _drawVariants(data, series, values, quantities):
         axes.set_yticks([-row for row in range(len(rows))],
                         [f'{name}: {xText(x)}' if name else xText(x) for name, x in rows] if column == 0 else [''] * len(rows))
         axes.set(xlabel=axisLabel(y), ylim=(0.6 - len(rows), 0.6))
-        axes.set_title('difference to the first', loc='right', fontsize=9, color='#444444', x=1.01, ha='left')
+        axes.set_title('against the first', loc='right', fontsize=9, color='#444444', x=1.01, ha='left')
         axes.tick_params(axis='y', length=0)
     return figure
 
