@@ -145,7 +145,7 @@ def run(plan, folder, options):
     """Make what is missing of the study, then table and figures from what there is. Returns the exit code."""
     snakemake = Snakemake(folder, options)
     what, finished = plan['folder'], table.finishedRuns(plan, folder)
-    print(f'{len(plan["runs"])} {what} on {len(plan["beds"])} beds; {len(finished)} {what} are finished', flush=True)
+    print(f'{len(plan["runs"])} {what} {"on" if plan["bedJobs"] else "of"} {len(plan["beds"])} beds; {len(finished)} {what} are finished', flush=True)
     if options.dry_run:
         return 0 if snakemake.run('runs', '--dry-run', '--quiet', 'rules') else FAILED
     complete = snakemake.run('runs', *SHOWN)

@@ -2,8 +2,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from ..parameters import BED
-
 IDS = ('run', 'bed', 'seed')
 
 
@@ -12,22 +10,24 @@ class Experiment:
     """A kind of experiment: a bed of particles is made from a seed, then used by one or more runs.
 
     Both are jobs of `script`, which is called with `--parameters FILE --output FOLDER` and `--bedOnly` for a bed, or `--bed FOLDER` for a run; it
-    writes bed.json, or summary.json, last of all.
+    writes bed.json, or summary.json, last of all. Where beds are no jobs of their own a run makes its bed itself, and `--bed` is not given.
     """
 
     name: str                 # in study files and plans
     script: str               # of scripts/
     folder: str               # of the study's folder: where the runs are; also what they are called
-    parameters: tuple         # of `parameters.Parameter`; those with the scope BED are the bed's
+    parameters: tuple         # of `parameters.Parameter`
+    bedScope: str             # of the parameters that make the bed
+    bedJobs: bool             # whether beds are jobs of their own
     checked: Callable         # (values) -> complete parameters; ValueError
     standard: Callable        # (parameters) -> the same, in the one form that equal beds have in common
     particleCount: Callable   # (parameters) -> number of particles, for limits of memory and time
     costs: Callable           # (particles) -> computing times of a bed and of a run on it, in any unit
-    places: Callable          # (parameters, number) -> parameters by which so many runs on one bed differ, [{}] for the one as given
+    places: Callable | None   # (parameters, number) -> parameters by which so many runs on one bed differ, the first one {}; None: one run only
     measured: dict            # column of the table: where its value is in summary.json
     derived: dict             # column of the table: function of the summary that gives its value
     mayBeMissing: tuple       # columns that may be null in a summary
-    runSeconds: str           # the column that holds the wall time of a run without its bed's [s]; that is in bedSeconds
+    runSeconds: str           # the column that holds the wall time of a run [s]; that of a bed that is a job is in bedSeconds
     shown: tuple              # columns of the page's table of points, the first one with its interval
     concerns: Callable        # (finished rows of the table) -> sentences on what should make the reader doubt
     validations: dict         # name in a study file: picture that a script of that name draws into figures/
@@ -39,7 +39,7 @@ class Experiment:
 
     def bedPart(self, parameters):
         """Those of complete `parameters` from which the bed is made."""
-        return {p.name: parameters[p.name] for p in self.parameters if p.scope == BED}
+        return {p.name: parameters[p.name] for p in self.parameters if p.scope == self.bedScope}
 
     def given(self):
         """The columns that hold parameters, as asked for."""

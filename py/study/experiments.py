@@ -1,7 +1,8 @@
 """The kinds of experiment that studies know."""
+from .dampers import DAMPERS
 from .impacts import IMPACTS
 
-EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS,)}
+EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS, DAMPERS)}
 
 
 def experimentOf(plan):

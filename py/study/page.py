@@ -61,8 +61,11 @@ def _header(experiment, plan, table):
 
 def _cpuHours(experiment, done):
     """Time of all runs and of each bed once, times the threads."""
-    beds = done.drop_duplicates('bed')
-    return float((done[experiment.runSeconds] * done['threads']).sum() + (beds['bedSeconds'] * beds['threads']).sum()) / 3600
+    seconds = (done[experiment.runSeconds] * done['threads']).sum()
+    if experiment.bedJobs:
+        beds = done.drop_duplicates('bed')
+        seconds += (beds['bedSeconds'] * beds['threads']).sum()
+    return float(seconds) / 3600
 
 
 def _group(experiment, group, data, records, output):

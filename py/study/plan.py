@@ -20,7 +20,7 @@ def planOf(study, seeds=None):
     :raises ValueError: a bad parameter, with the group, series and x where it stands
     """
     experiment = EXPERIMENTS[study['experiment']]
-    plan = {'title': study['title'], 'experiment': experiment.name, 'script': experiment.script, 'folder': experiment.folder,
+    plan = {'title': study['title'], 'experiment': experiment.name, 'script': experiment.script, 'folder': experiment.folder, 'bedJobs': experiment.bedJobs,
             'validations': [picture for name, picture in experiment.validations.items() if study['validations'].get(name)],
             'runs': {}, 'beds': {}, 'groups': []}
     seeds = None if seeds is None else checkedSeeds('seeds', list(seeds))
@@ -39,7 +39,7 @@ def write(plan, folder):
     A file that holds the same already is left alone: what was made from it stays up to date.
     """
     contents = {PLAN: plan}
-    for kind, jobs in (('beds', plan['beds']), (plan['folder'], plan['runs'])):
+    for kind, jobs in (('beds', plan['beds'] if plan['bedJobs'] else {}), (plan['folder'], plan['runs'])):
         contents.update({os.path.join(kind, name, 'parameters.json'): job['parameters'] for name, job in jobs.items()})
     for name, content in contents.items():
         path = os.path.join(folder, name)
@@ -71,7 +71,7 @@ def _runsOf(plan, experiment, base, group, series, x, values, number, seeds):
     """Add the runs of one point to the plan; yield its points, one a seed and one of `number` places."""
     try:
         parameters = experiment.standard(experiment.checked({**base, **group['base'], **group['series'][series][0], **values}))
-        places = experiment.places(parameters, number)
+        places = experiment.places(parameters, number) if experiment.places else [{}]
         for place in places:
             experiment.checked({**parameters, **place})
     except ValueError as error:

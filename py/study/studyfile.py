@@ -32,6 +32,7 @@ def checkedStudy(content):
     """
     study = _keys('study file', content, STUDY_KEYS, ('title', 'groups'))
     experiment = EXPERIMENTS[checks.oneOf('experiment', study.get('experiment', 'impact'), tuple(EXPERIMENTS))]
+    _checkPlaces(experiment, 'places', study)
     seeds, places = checkedSeeds('seeds', study.get('seeds', [1])), _place('places', study.get('places', 1))
     groups = _mapping('groups', study['groups'])
     result = {'title': _text('title', study['title']), 'experiment': experiment.name,
@@ -46,6 +47,11 @@ def checkedSeeds(place, values):
     """`values` as a list of different whole numbers."""
     seeds = [checks.wholeNumber(place, _number(place, seed), 0) for seed in _list(place, values)]
     return _different(place, seeds)
+
+
+def _checkPlaces(experiment, key, content):
+    if 'places' in content and experiment.places is None:
+        raise ValueError(f'{key} = {content["places"]!r}: a bed of the experiment {experiment.name} has no places')
 
 
 def _place(key, value):
@@ -73,6 +79,7 @@ def _validations(experiment, content):
 def _group(experiment, name, content, seeds, places):
     place = f'groups.{_name("groups", name)}'
     group = _keys(place, content, GROUP_KEYS)
+    _checkPlaces(experiment, f'{place}.places', group)
     if ('x' in group) == ('variants' in group):
         raise ValueError(f'{place}: needs either x or variants')
     result = {'name': name, 'title': _text(f'{place}.title', group.get('title', name)),

@@ -26,7 +26,7 @@ class Progress:
         with open('plan.json', encoding='utf-8') as file:
             plan = json.load(file)
         for name, bed in plan['beds'].items():
-            if not os.path.exists(f'beds/{name}/bed.json'):
+            if plan['bedJobs'] and not os.path.exists(f'beds/{name}/bed.json'):
                 self.cost['bed', name] = bed['cost']
         for name, run in plan['runs'].items():
             if not os.path.exists(f'{plan["folder"]}/{name}/summary.json'):
