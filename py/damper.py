@@ -16,8 +16,8 @@ from yade.wrapper import VibratingBoxEngine, VibrationRecorder
 
 from . import checkpoint, damperreport
 from .container import boxContainer
-from .damperparameters import LAWS, checked, materialOf, sampleSteps, shapeOf, timeStep
-from .engines import engine, halfSizes, solverCounters
+from .damperparameters import checked, makeMaterial, sampleSteps, shapeOf, timeStep
+from .engines import engine, halfSizes, solverCounters, superquadricEngines
 from .filling import rainFilling
 from .settling import RestCriterion, settle
 from .stepping import Interrupted, Stepper
@@ -115,15 +115,15 @@ class DamperRun:
     def _build(self):
         """The scene: the box, held, with the particles on their way down, and the engines of all stages."""
         p = self.parameters
-        makeMaterial, makeEngines = LAWS[p['law']]
+        material = makeMaterial(p, label='particles')
         O.reset()
-        material = makeMaterial(**materialOf(p), label='particles')
         O.materials.append(material)
         container = boxContainer(p['boxWidth'], p['boxDepth'], p['boxHeight'], material)
         ids = rainFilling(particleShapes(p), container, material, p['seed'], gap=RAIN_GAP)[0] if p['particles'] else []
         box = VibratingBoxEngine(ids=[container.baseId, *container.sideIds], freeAxes='', mass=p['boxMass'], label='box',
                                  stiffness=alongAxis(p, p['stiffness']), damping=alongAxis(p, p['dashpot']))
-        O.engines = [*makeEngines(gravity=(0, 0, -p['gravity']), verletDist=VERLET * min(halfSizes(), default=p['radius']), afterForces=[box]),
+        O.engines = [*superquadricEngines(gravity=(0, 0, -p['gravity']), verletDist=VERLET * min(halfSizes(), default=p['radius']), afterForces=[box],
+                                          law=p['law']),
                      VibrationRecorder(box=box, particles=ids, iterPeriod=sampleSteps(p), initRun=True, dead=True)]
         O.dt = timeStep(p)
         self.state.update(particles=[min(ids), max(ids) + 1] if ids else [0, 0], supports=list(box.ids))

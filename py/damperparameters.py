@@ -1,7 +1,8 @@
 """The parameters of a particle damper: one list for command line, checks and summary.
 
 The defaults are the system of Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 1211-1216 (2018). Its table of contact parameters
-is lost in our copy: tangential damping, rolling friction and the width of the size distribution are choices.
+is lost in our copy: tangential and rolling damping, rolling friction and the width of the size distribution are choices. Of its material E = 70 GPa, nu = 0.33 and
+2700 kg/m3 are known; the shipped aluminium alloy comes near.
 """
 import math
 
@@ -9,13 +10,14 @@ from yade.wrapper import CurvatureMat
 
 from . import checks
 from .bodies import SHAPES, particleShape
-from .engines import superquadricEngines
+from .engines import LAWS
 from .filling import DEEP_FRACTION
+from .materials import elastoplasticMat, materialAt, properties
 from .parameters import Parameter
 from .restitution import collisionDuration, normalDampingFor
 
 BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
-LAWS = {'curvature': (CurvatureMat, superquadricEngines)}  # material and engines of a contact law, called with the same arguments
+OF_THE_MATERIAL = ('density', 'young', 'poisson')  # parameters that the material gives unless they are given themselves
 
 
 def _optional(check):
@@ -51,14 +53,16 @@ PARAMETERS = (
     Parameter('boxWidth', 0.042, 'm', checks.positive, 'inner size of the box along x', BOX),
     Parameter('boxDepth', 0.042, 'm', checks.positive, 'the same along y', BOX),
     Parameter('boxHeight', 0.024, 'm', checks.positive, 'the same along z', BOX),
-    Parameter('law', 'curvature', '', _oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
-    Parameter('density', 2700.0, 'kg/m3', checks.positive, 'density of the particles', BOX),
-    Parameter('young', 70e9, 'Pa', checks.positive, 'Young\'s modulus of particles and box', BOX),
-    Parameter('poisson', 0.33, '', _between(-1, 0.5), 'Poisson\'s ratio of the same', BOX),
+    Parameter('law', 'elastoplastic', '', _oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
+    Parameter('material', 'aluminium-2024-T351', '', materialAt, 'of particles and box: a shipped material, or a material file', BOX),
+    Parameter('density', None, 'kg/m3', _optional(checks.positive), 'density of the particles, instead of the material\'s', BOX),
+    Parameter('young', None, 'Pa', _optional(checks.positive), 'Young\'s modulus of particles and box, instead of the material\'s', BOX),
+    Parameter('poisson', None, '', _optional(_between(-1, 0.5)), 'Poisson\'s ratio of the same, instead of the material\'s', BOX),
     Parameter('friction', 0.5, '', checks.notNegative, 'coefficient of sliding friction of the same', BOX),
     Parameter('restitution', 0.5, '', checks.finite, 'restitution coefficient of the viscous normal force, from which its damping follows', BOX),
     Parameter('tangentialDamping', None, '', _optional(checks.notNegative), 'Ct of equation (12), instead of the normal one\'s value', BOX),
     Parameter('rollingFriction', 0.002, '', checks.notNegative, 'mu_r of equation (13)', BOX),
+    Parameter('rollingDamping', 0.3, '', checks.notNegative, 'damping of rolling as a part of the critical one (elastoplastic law)', BOX),
     Parameter('gravity', 9.81, 'm/s2', checks.positive, 'acceleration of gravity, along -z', BOX),
     Parameter('softening', 1.0, '', _within(1, 1e4), 'Young\'s modulus is divided by this, for longer time steps', BOX),
     Parameter('settlingTime', 0.15, 's', checks.positive, 'simulated time after which the drive begins in any case', BOX),
@@ -92,7 +96,9 @@ def checked(values):
     if unknown:
         raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
     result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
-    normalDampingFor(result['restitution'])
+    known = properties(result['material'])
+    result.update({name: known[name] for name in OF_THE_MATERIAL if result[name] is None})
+    makeMaterial(result)
     _checkRoom(result)
     return result
 
@@ -131,18 +137,35 @@ def densityOf(parameters):
     return parameters['particleMass'] / (parameters['particles'] * shapeOf(parameters).volume)
 
 
-def materialOf(parameters):
-    """Keyword arguments of the law's material."""
+def elasticOf(parameters):
+    """Keyword arguments of the material that both laws have."""
     p, normalDamping = parameters, normalDampingFor(parameters['restitution'])
     return dict(young=p['young'] / p['softening'], poisson=p['poisson'], density=densityOf(p), frictionAngle=math.atan(p['friction']),
                 normalDamping=normalDamping, tangentialDamping=normalDamping if p['tangentialDamping'] is None else p['tangentialDamping'],
                 rollingFriction=p['rollingFriction'])
 
 
+def makeMaterial(parameters, **others):
+    """The material of particles and box.
+
+    Softening divides the yield stress by its power 4/5: the speed at which a collision begins to yield is as sigma_y^(5/2)/(E^2 density^(1/2))
+    (Johnson 1985, section 11.5), and with it the restitution at any speed, stays.
+    """
+    p, common = parameters, {**elasticOf(parameters), **others}
+    if p['law'] == 'curvature':
+        return CurvatureMat(**common)
+    known = properties(p['material'])
+    yieldStress = known['yieldStress'] * p['softening'] ** -0.8
+    if yieldStress >= common['young']:
+        raise ValueError(f'young = {p["young"]!r}: with softening = {p["softening"]:g} it is {common["young"]:g} Pa, not above the yield stress of '
+                         f'{p["material"]!r}, then {yieldStress:g} Pa')
+    return elastoplasticMat({**known, 'yieldStress': yieldStress}, **{'rollingDamping': p['rollingDamping'], **common})
+
+
 def collisionTime(parameters):
     """Duration [s] of an elastic collision of two of the smallest particles at collisionSpeed."""
     radius = (1 - parameters['radiusSpread']) * min(shapeOf(parameters).extents)
-    material = materialOf(parameters)
+    material = elasticOf(parameters)
     mass = 4 / 3 * math.pi * material['density'] * radius ** 3
     modulus = material['young'] / (2 * (1 - material['poisson'] ** 2))
     return collisionDuration(mass / 2, radius / 2, modulus, parameters['collisionSpeed'])
@@ -151,7 +174,7 @@ def collisionTime(parameters):
 def criticalStep(parameters):
     """Critical time step (14) [s] of the smallest particle."""
     smallest = (1 - parameters['radiusSpread']) * min(shapeOf(parameters).extents)
-    return CurvatureMat(**materialOf(parameters)).criticalTimeStep(smallest)
+    return CurvatureMat(**elasticOf(parameters)).criticalTimeStep(smallest)
 
 
 def sampleSteps(parameters):

@@ -4,7 +4,7 @@ from yade.wrapper import VibrationRecorder
 
 from . import damperplots, dampermotion, results
 from .damperenergy import account
-from .damperparameters import collisionTime, criticalStep, densityOf, filling, materialOf, naturalFrequency, sampleSteps, shapeOf
+from .damperparameters import collisionTime, criticalStep, densityOf, filling, makeMaterial, naturalFrequency, sampleSteps, shapeOf
 from .engines import engine
 
 SUMMARY, RECORD, SPECTRUM, PHASES, HISTORY, ENERGIES = FILES = (
@@ -35,7 +35,7 @@ def summary(run, measured):
     described = (p['periods'], p['samples'], p['frequency'], p['forceAmplitude'])
     return {
         'parameters': p,
-        'material': materialOf(p),
+        'material': {name: value for name, value in makeMaterial(p).dict().items() if isinstance(value, float)},
         'particles': {'number': len(run.ids), 'mass': mass, 'density': densityOf(p), 'filling': filling(p), 'extents': list(shape.extents),
                       'n1': shape.n1, 'n2': shape.n2, 'yadeSphere': shape.asSphere, 'settled': state.get('settled', True)},
         'naturalFrequency': {'empty': naturalFrequency(p), 'withParticles': naturalFrequency(p, mass)},

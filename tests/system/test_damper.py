@@ -8,6 +8,7 @@ import signal
 
 import pytest
 from yade import O
+from yade.wrapper import CurvatureMat
 import yade.superquadric as sq
 from yade.superquadric import damper, damperparameters
 from yade.superquadric.damper import DamperRun
@@ -52,7 +53,7 @@ def test_energyBalanceCloses(small):
     energy = small[1]['energy']
     assert abs(energy['balanceError']) < 0.01  # particles so soft turn about each other while they touch, which the law books to first order
     assert energy['work'] > 0 and energy['dissipated'] > 0.5 * energy['work'] and sum(energy['shares'].values()) == pytest.approx(1)
-    assert energy['shares']['normalViscous'] > 0.1 and energy['shares']['boxDashpot'] == 0
+    assert energy['shares']['normalViscous'] > 0.1 and energy['shares']['plastic'] > 0.01 and energy['shares']['boxDashpot'] == 0
     assert energy['work'] + energy['gravityWork'] == pytest.approx(energy['dissipated'] + energy['stored'] + energy['nonconservative'], rel=0.01)
 
 
@@ -89,15 +90,32 @@ def test_emptyBoxAnswersAsTheClosedFormDoes(tmp_path, frequency):
     assert summary['box']['period'] == 1 and summary['centroid'] is None and summary['energy']['shares'] == {'boxDashpot': 1}
 
 
-@pytest.mark.parametrize('changes', (dict(axis='x'), dict(shape='cube'), dict(shape='cylinder', aspect=1.2, radiusSpread=0)))
-def test_otherDirectionsAndShapesClose(tmp_path, changes):
+@pytest.mark.parametrize('changes', (dict(axis='x'), dict(law='curvature'), dict(shape='cube'), dict(shape='cylinder', aspect=1.2, radiusSpread=0)))
+def test_otherDirectionsLawsAndShapesClose(tmp_path, changes):
     summary = run(tmp_path, periods=2, timeStepFraction=0.1, **changes).run()
     assert abs(summary['energy']['balanceError']) < 0.02
     assert summary['box']['peakToPeak'] > 1e-3 and summary['solver'].get('uncertified', 0) == 0
     assert summary['particles']['mass'] == pytest.approx(0.05, rel=1e-3)
 
 
-BAD = [('particles', -1), ('particles', 1.5), ('particles', 10000), ('radius', 0), ('boxHeight', 1e-3), ('boxMass', 0), ('stiffness', -1),
+def test_materialGivesWhatIsNotGiven(tmp_path):
+    given = damperparameters.checked(dict(material='steel-4340', young=190e9))
+    assert (given['young'], given['poisson'], given['density']) == (190e9, 0.32, 7830)
+    assert damperparameters.checked(given) == given
+    assert damperparameters.makeMaterial(given).yieldStress == 792e6
+    assert isinstance(damperparameters.makeMaterial({**given, 'law': 'curvature'}), CurvatureMat)
+
+
+@pytest.mark.parametrize('softening', (10, 1000))
+def test_softeningKeepsTheSpeedAtWhichItYields(softening):
+    """The energy of a collision that just yields is fy dy/2.5, with fy as py^3/E^2 and dy as (py/E)^2: as py^5/E^4."""
+    hard, soft = (damperparameters.makeMaterial(damperparameters.checked(dict(softening=s))) for s in (1, softening))
+    assert hard.young == pytest.approx(softening * soft.young)
+    assert soft.yieldStress ** 5 / soft.young ** 4 == pytest.approx(hard.yieldStress ** 5 / hard.young ** 4, rel=1e-12)
+
+
+BAD = [('material', 'cheese.yaml'), ('young', 1e8), ('rollingDamping', -1), ('particles', -1), ('particles', 1.5), ('particles', 10000),
+       ('radius', 0), ('boxHeight', 1e-3), ('boxMass', 0), ('stiffness', -1),
        ('dashpot', -1), ('axis', 'xy'), ('frequency', 0), ('forceAmplitude', math.nan),
        ('restitution', 0.05), ('restitution', 1.1), ('periods', 1), ('samples', 5), ('law', 'magic'),
        ('shape', 'egg'), ('softening', 0.5), ('radiusSpread', 1), ('timeStepFraction', 2), ('wheels', 4)]

@@ -1,10 +1,12 @@
 """The material of the elastoplastic law: what it refuses, and how it is made from what is known of it."""
 import math
+import re
 
 import pytest
 from yade.wrapper import ElastoplasticMat
 
 import yade.superquadric as sq
+from yade.superquadric import materials
 
 SOFT = dict(young=1e8, poisson=0.3, density=2500, frictionAngle=0.4, normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.02,
             rollingDamping=0.1, yieldStress=1e5, m0=2.5, exponent=1.8)
@@ -71,8 +73,28 @@ def test_material_without_what_it_needs():
     for key in ('young', 'yieldStress', 'hardening'):
         with pytest.raises(ValueError, match=f'{"referenceRadius" if key == "hardening" else key} is missing'):
             sq.elastoplasticMat({k: v for k, v in PROPERTIES.items() if k != key})
-    with pytest.raises(ValueError, match="properties = 'steel.yaml': must be a dict"):
-        sq.elastoplasticMat('steel.yaml')
+
+
+def test_material_from_a_file(tmp_path):
+    shipped = sq.elastoplasticMat('steel-4340', frictionAngle=0.3)
+    assert (shipped.young, shipped.poisson, shipped.yieldStress) == (200e9, 0.32, 792e6) and shipped.frictionAngle == 0.3
+    own = tmp_path / 'own.yaml'
+    own.write_text(open(materials.FOLDER + '/steel-4340.yaml').read().replace('200000000000.0', '190000000000.0'))
+    assert sq.elastoplasticMat(own).young == 190e9
+    assert materials.materialAt('material', own) == str(own) and materials.materialAt('material', 'steel-4340') == 'steel-4340'
+
+
+@pytest.mark.parametrize('value', ('steel.yaml', 3, None))
+def test_no_such_material(value):
+    with pytest.raises(ValueError, match=re.escape(f'material = {value!r}: must be a material file, or one of aluminium-2024-T351, steel-4340')):
+        sq.elastoplasticMat(value)
+
+
+def test_material_file_that_was_never_identified(tmp_path):
+    lines = open(materials.FOLDER + '/steel-4340.yaml').read()
+    (tmp_path / 'raw.yaml').write_text(lines[:lines.index('hardening:')])
+    with pytest.raises(ValueError, match='material.hardening: is missing'):
+        sq.elastoplasticMat(tmp_path / 'raw.yaml')
 
 
 @pytest.mark.parametrize('value', (0, -1, 0.01, 1.1, math.nan, 'x'))
