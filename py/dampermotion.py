@@ -86,8 +86,16 @@ def period(differences):
     return next((k for k, difference in enumerate(differences, 1) if difference < REPEATS), None)
 
 
-def describe(times, values, periods, samples, frequency, force):
-    """What is to be known of a displacement over whole `periods` of `samples` records: a dict for JSON. SI units, angles in degrees.
+def loopFill(values, velocities, periods):
+    """Area that the motion goes round in its phase plane in a period, over that of the rectangle about it: pi/4 for a sine, 1 for a
+    rectangle, [-]; 0 for no motion. Mean over the `periods`."""
+    box = np.ptp(values) * np.ptp(velocities)
+    turn = np.append(values[1:], values[0]) - np.append(values[-1], values[:-1])
+    return float(abs(np.sum(velocities * turn)) / (2 * periods * box)) if box else 0.0
+
+
+def describe(times, values, velocities, periods, samples, frequency, force):
+    """What is to be known of displacements and velocities over whole `periods` of `samples` records: a dict for JSON. SI units, angles in degrees.
 
     :param force: amplitude of the driving force [N]; it is sin(2 pi frequency t)
     """
@@ -95,5 +103,5 @@ def describe(times, values, periods, samples, frequency, force):
     share, first = harmonicShare(values, periods)
     return {'amplitude': abs(amplitude), 'receptance': abs(amplitude) / force, 'phaseLag': phaseLag(amplitude), 'mean': float(np.mean(values)),
             'peakToPeak': float(np.ptp(values)), 'rms': float(np.std(values)), 'harmonicShare': share, 'fundamentalShare': first,
-            'period': period(differences), 'repetition': differences,
+            'period': period(differences), 'repetition': differences, 'loopFill': loopFill(values, velocities, periods),
             'lines': lines(*spectrum(values, float(np.mean(np.diff(times)))))}

@@ -18,7 +18,6 @@ MEASURED = {
     'phaseLag': ('box', 'phaseLag'),
     'peakToPeak': ('box', 'peakToPeak'),
     'harmonicShare': ('box', 'harmonicShare'),
-    'period': ('box', 'period'),
     'work': ('energy', 'work'),
     'dissipated': ('energy', 'dissipated'),
     'balanceError': ('energy', 'balanceError'),
@@ -39,15 +38,36 @@ def _ofCentroid(key):
     return lambda summary: summary['centroid'][key] if summary['centroid'] else None
 
 
+def _periodOf(body):
+    """Periods of the drive after which it repeats, 0 if it does not: a number for tests."""
+    return lambda summary: summary[body]['period'] or 0 if summary[body] else None
+
+
+def _centroidRatio(summary):
+    return summary['centroid']['rms'] / summary['box']['rms'] if summary['centroid'] and summary['box']['rms'] else None
+
+
 def _shareOf(sink):
     return lambda summary: summary['energy']['shares'].get(sink, 0.0)
 
 
+def _normalViscousLead(summary):
+    """How far the normal viscous share is above the largest other one."""
+    shares = {**summary['energy']['shares']}
+    own = shares.pop('normalViscous', 0.0)
+    return own - max(shares.values(), default=0.0)
+
+
 DERIVED = {
+    'period': _periodOf('box'),
     'centroidAmplitude': _ofCentroid('amplitude'),
     'centroidPhaseLag': _ofCentroid('phaseLag'),
     'centroidPeakToPeak': _ofCentroid('peakToPeak'),
-    'centroidPeriod': _ofCentroid('period'),
+    'centroidPeriod': _periodOf('centroid'),
+    'centroidRatio': _centroidRatio,
+    'centroidHarmonicShare': _ofCentroid('harmonicShare'),
+    'centroidLoopFill': _ofCentroid('loopFill'),
+    'normalViscousLead': _normalViscousLead,
     'uncertified': lambda summary: summary['solver'].get('uncertified', 0),
     **{f'{sink}Share': _shareOf(sink) for sink in SINKS},
 }
@@ -104,6 +124,6 @@ def _costs(particles):
 DAMPERS = Experiment(
     name='damper', script='damper.py', folder='vibrations', parameters=parameters.PARAMETERS, bedScope=parameters.BOX, bedJobs=False,
     checked=parameters.checked, standard=standard, particleCount=lambda values: values['particles'], costs=_costs, places=None,
-    measured=MEASURED, derived=DERIVED, mayBeMissing=('period',), runSeconds='runSeconds',
+    measured=MEASURED, derived=DERIVED, mayBeMissing=(), runSeconds='runSeconds',
     shown=('amplitude', 'phaseLag', 'peakToPeak', 'centroidAmplitude', 'balanceError'), concerns=_concerns, validations={},
     drawings={'shares': drawShares, 'phasePlanes': drawPhasePlanes})

@@ -16,7 +16,8 @@ def wave(multiple, amplitude=1.0, lag=0.0):
 
 
 def describe(values):
-    return dampermotion.describe(TIMES, values, PERIODS, SAMPLES, FREQUENCY, force=2.0)
+    velocities = np.gradient(values, TIMES)
+    return dampermotion.describe(TIMES, values, velocities, PERIODS, SAMPLES, FREQUENCY, force=2.0)
 
 
 @pytest.mark.parametrize('lag', (0, 40, 180, 300))
@@ -50,6 +51,14 @@ def test_noiseHasNoPeriod():
 def test_aMotionThatIsNoneIsNotDividedBy():
     described = describe(np.zeros(len(TIMES)))
     assert described['amplitude'] == described['harmonicShare'] == 0 and described['lines'] == []
+
+
+def test_phasePlaneOfASineFillsPiQuartersOfItsRectangleOneOfImpactsAllOfIt():
+    angles = 2 * math.pi * FREQUENCY * TIMES
+    assert dampermotion.loopFill(3 + np.sin(angles), 7 * np.cos(angles), PERIODS) == pytest.approx(math.pi / 4, rel=1e-3)
+    triangle, square = np.arcsin(np.sin(angles)), np.sign(np.cos(angles))
+    assert dampermotion.loopFill(triangle, square, PERIODS) == pytest.approx(1, rel=0.03)
+    assert dampermotion.loopFill(np.ones(9), np.ones(9), 1) == 0
 
 
 def test_accountTakesWhateverSinksThereAre():
