@@ -1,4 +1,4 @@
-"""The tests of trends: each takes the data of a group and gives a verdict for each series.
+"""The tests of trends and of limits: each takes the data of a group and gives a verdict for each series.
 
 Level: 5 %, two-sided, so a directional claim is supported at 2.5 %. A finding is supported if all its parts are: no correction is
 due. It is contradicted if one of them is, so each may be at the level over their number only.
@@ -8,7 +8,7 @@ from collections import namedtuple
 from itertools import pairwise
 
 from .measure import Measure, pText
-from .quantities import QUANTITIES, xText
+from .quantities import QUANTITIES, inUnit, xText
 from .saturation import FEWEST, fitSaturation
 from .statistics import holm, leastP, trend
 
@@ -132,6 +132,22 @@ def _peakPart(data, finding, name):
     return Part(name, verdict(claim, against, len(seriesOf(data, finding))), text,
                 {'top': measure.numbers(top), 'pLeft': left.rises, 'pRight': right.falls, 'highest': highest,
                  'rivals': {f'{o:g}': measure.numbers(rival) for o, rival in rivals.items()}})
+
+
+def within(data, finding):
+    return [_withinPart(data, finding, name) for name in seriesOf(data, finding)]
+
+
+def _withinPart(data, finding, name):
+    """Supported if all runs lie between the limits, contradicted if at some x none does: no statistics, a count."""
+    samples = data.samples(finding['y'], name, finding)
+    if not samples:
+        return Part(name, 'undecided', 'no runs.', {})
+    low, high = finding.get('low', -math.inf), finding.get('high', math.inf)
+    inside = {x: [low <= value <= high for value in sample] for x, sample in samples.items()}
+    decided = 'supported' if all(map(all, inside.values())) else 'undecided' if all(map(any, inside.values())) else 'contradicted'
+    values = '; '.join(f'{", ".join(inUnit(finding["y"], value) for value in sample)} at {xText(x)}' for x, sample in samples.items())
+    return Part(name, decided, f'{_named(finding["y"])} is {values}; {_runs(samples)}.', {'outside': [x for x in inside if not all(inside[x])]})
 
 
 def smallest(values):

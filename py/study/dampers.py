@@ -4,11 +4,12 @@ import os
 import numpy
 
 from .. import damperparameters as parameters
-from ..dampermotion import Motion, lastPeriods
+from ..dampermotion import Motion, lastPeriods, spectrum
 from ..results import readCsv, readJson
 from .experiment import Experiment
 from .impacts import standard
-from .quantities import xSentence
+from .quantities import axisLabel, xSentence
+from .statistics import typicalValue
 from .style import COLOURS, MARKERS, newFigure, outerLegend
 
 MEASURED = {
@@ -18,6 +19,7 @@ MEASURED = {
     'phaseLag': ('box', 'phaseLag'),
     'peakToPeak': ('box', 'peakToPeak'),
     'harmonicShare': ('box', 'harmonicShare'),
+    'fundamentalShare': ('box', 'fundamentalShare'),
     'work': ('energy', 'work'),
     'dissipated': ('energy', 'dissipated'),
     'balanceError': ('energy', 'balanceError'),
@@ -32,6 +34,7 @@ MEASURED = {
 SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential', 'frictionDissip': 'sliding friction',
          'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
 CLOSED = 0.01  # of the work: an account that is off by more is not closed
+HIGHEST = 4    # frequency in the spectra, over the drive's
 
 
 def _ofCentroid(key):
@@ -92,14 +95,50 @@ def drawShares(data, series, values, panels, records):
     return figure
 
 
+def drawResponse(data, series, values, panels, records):
+    """Amplitude of the box over the frequency of the drive, with the closed forms of the empty box and of particles frozen to it, and lag."""
+    figure, ((amplitudes, lags),) = newFigure(2, 1, 5.4, 4.2)
+    for k, name in enumerate(series):
+        at = [x for x in values if len(data.sample('amplitude', name, x))]
+        style = {'marker': MARKERS[k], 'ms': 6, 'lw': 1.5, 'color': COLOURS[data.series.index(name)], 'mec': 'white', 'mew': 0.7}
+        amplitudes.plot(at, [1e3 * typicalValue(data.sample('amplitude', name, x)).mean for x in at], label=name or 'with particles', **style)
+        lags.plot(at, [data.sample('phaseLag', name, x).mean() for x in at], **style)
+    _drawClosedForms(amplitudes, data, series, values)
+    amplitudes.set(xlabel=data.xLabel, ylabel=axisLabel('amplitude'), yscale='log')
+    lags.set(xlabel=data.xLabel, ylabel=axisLabel('phaseLag'))
+    outerLegend(figure, [amplitudes])
+    return figure
+
+
+def _drawClosedForms(axes, data, series, values):
+    """F/|k - M (2 pi f)^2| of the box alone, and with each mass of particles frozen to it."""
+    frequencies = numpy.linspace(min(values), max(values), 400)
+    box = data.runs.iloc[0]
+    masses = sorted({round(float(mass), 4) for name in series for mass in data.runs[data.runs['series'] == name]['particlesMass'] if mass})
+    for mass, line, label in ((0.0, '-', 'empty box, closed form'), *((m, ':', f'with {m:.3g} kg frozen to it') for m in masses)):
+        inertia = (box['boxMass'] + mass) * (2 * numpy.pi * frequencies) ** 2
+        axes.plot(frequencies, 1e3 * box['forceAmplitude'] / abs(box['stiffness'] - inertia), line, lw=1.1, color='#666666', label=label)
+    top = 1e3 * data.runs['amplitude'].max()
+    axes.set_ylim(1e3 * data.runs['amplitude'].min() / 2, 4 * top)
+
+
+def drawSpectra(data, series, values, panels, records):
+    """Amplitude spectra of box and centre of mass, a panel per x, of the first seed of the first series (figure 7)."""
+    return _panelPerFrequency(data, series, values, records, _drawSpectrum)
+
+
 def drawPhasePlanes(data, series, values, panels, records):
     """Velocity over displacement of box and centre of mass, a panel per x, of the first seed of the first series (figures 8 and 9)."""
+    return _panelPerFrequency(data, series, values, records, _drawPlane)
+
+
+def _panelPerFrequency(data, series, values, records, draw):
     columns = min(len(values), 3)
-    figure, axes = newFigure(columns, -(-len(values) // columns), 3.8, 3.6)
+    figure, axes = newFigure(columns, -(-len(values) // columns), 3.8, 3.4)
     for panel, x in zip(axes.flat, values):
         rows = data.rows(series[0], x)
         if len(rows):
-            _drawPlane(panel, os.path.join(records, rows['run'].iloc[0]))
+            draw(panel, *_recordOf(os.path.join(records, rows['run'].iloc[0])))
         panel.set_title(xSentence(data.xLabel, x), fontsize=11)
     for panel in axes.flat[len(values):]:
         panel.set_axis_off()
@@ -107,14 +146,32 @@ def drawPhasePlanes(data, series, values, panels, records):
     return figure
 
 
-def _drawPlane(panel, folder):
+def _recordOf(folder):
+    """The measured part of a run's `Motion`, and its parameters."""
     given = readJson(os.path.join(folder, 'summary.json'))['parameters']
     record = Motion(*numpy.array(readCsv(os.path.join(folder, 'motion.csv'))[1]).T)
-    motion = lastPeriods(record, given['periods'], given['samples'])
-    centred = motion.centroid - motion.centroid.mean()
-    panel.plot(1e3 * motion.box, motion.boxVelocity, lw=0.6, color=COLOURS[0], label='box')
-    panel.plot(1e3 * centred, motion.centroidVelocity, lw=0.6, color=COLOURS[1], label='centre of mass of the particles, its mean taken off')
+    return lastPeriods(record, given['periods'], given['samples']), given
+
+
+def _bodies(motion):
+    """(displacement, velocity, colour, label) of box and particles."""
+    yield motion.box, motion.boxVelocity, COLOURS[0], 'box'
+    yield motion.centroid - motion.centroid.mean(), motion.centroidVelocity, COLOURS[1], 'centre of mass of the particles, its mean taken off'
+
+
+def _drawPlane(panel, motion, given):
+    for displacement, velocity, colour, label in _bodies(motion):
+        panel.plot(1e3 * displacement, velocity, lw=0.6, color=colour, label=label)
     panel.set(xlabel='displacement [mm]', ylabel='velocity [m/s]')
+
+
+def _drawSpectrum(panel, motion, given):
+    for displacement, _, colour, label in _bodies(motion):
+        frequencies, amplitudes = spectrum(displacement, numpy.mean(numpy.diff(motion.time)))
+        ratio = frequencies / given['frequency']
+        shown = (ratio > 0) & (ratio <= HIGHEST)
+        panel.plot(ratio[shown], 1e3 * amplitudes[shown], lw=1, color=colour, label=label)
+    panel.set(xlabel='frequency over the drive\'s', ylabel='amplitude [mm]')
 
 
 def _costs(particles):
@@ -126,4 +183,4 @@ DAMPERS = Experiment(
     checked=parameters.checked, standard=standard, particleCount=lambda values: values['particles'], costs=_costs, places=None,
     measured=MEASURED, derived=DERIVED, mayBeMissing=(), runSeconds='runSeconds',
     shown=('amplitude', 'phaseLag', 'peakToPeak', 'centroidAmplitude', 'balanceError'), concerns=_concerns, validations={},
-    drawings={'shares': drawShares, 'phasePlanes': drawPhasePlanes})
+    drawings={'response': drawResponse, 'shares': drawShares, 'spectra': drawSpectra, 'phasePlanes': drawPhasePlanes})

@@ -15,7 +15,8 @@ fewest: values of x that it needs; axis: whether x must be numbers.
 
 COMMON = ('test', 'y', 'paper')
 RANGE = ('from', 'upTo')
-NUMBERS = (*RANGE, 'hc', 'x', 'margin')
+LIMITS = ('low', 'high')
+NUMBERS = (*RANGE, *LIMITS, 'hc', 'x', 'margin')
 TESTS = {
     'falls': Test(claims.falls, (), ('series', *RANGE), 2, True),
     'rises': Test(claims.rises, (), ('series', *RANGE), 2, True),
@@ -23,6 +24,7 @@ TESTS = {
     'ordered': Test(comparisons.ordered, ('series',), RANGE, 1, False),
     'noEffect': Test(comparisons.noEffect, (), ('series', 'margin', *RANGE), 1, False),
     'peaksAt': Test(claims.peaksAt, ('x',), ('series', *RANGE), 3, True),
+    'within': Test(claims.within, (), ('series', *LIMITS, *RANGE), 1, False),
     'above': Test(comparisons.above, ('series',), RANGE, 1, False),
     'agree': Test(comparisons.agree, ('series',), ('margin', *RANGE), 1, False),
 }
@@ -52,6 +54,8 @@ def checkFinding(finding, group):
         raise ValueError(f'paper = {finding["paper"]!r}: must be a sentence')
     _checkSeries(finding, group)
     _checkX(finding, group, test)
+    if finding['test'] == 'within':
+        _checkLimits(finding)
     if 'margin' in finding:
         checks.above('margin', finding['margin'], 0, 1)
     return {**finding, **{key: checks.finite(key, finding[key]) for key in NUMBERS if key in finding}}
@@ -71,6 +75,14 @@ def _checkSeries(finding, group):
         raise ValueError(f'series = {series!r}: test {finding["test"]} compares two')
     if finding['test'] == 'ordered' and len(series) < 2:
         raise ValueError(f'series = {series!r}: test ordered needs two at least')
+
+
+def _checkLimits(finding):
+    if not any(key in finding for key in LIMITS):
+        raise ValueError('low = None: test within needs low, high or both')
+    low, high = (checks.finite(key, finding[key]) if key in finding else default for key, default in zip(LIMITS, (-math.inf, math.inf)))
+    if low > high:
+        raise ValueError(f'low = {finding["low"]!r}: must not be above high = {finding["high"]!r}')
 
 
 def _checkX(finding, group, test):

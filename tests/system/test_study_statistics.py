@@ -226,6 +226,19 @@ def test_equivalenceIsRarelyClaimedAtItsMargin():
     assert shares['supported'] <= 0.11
 
 
+@pytest.mark.parametrize('limits, verdict', [
+    ({'low': 900}, 'supported'), ({'high': 1100}, 'contradicted'), ({'low': 900, 'high': 4100}, 'supported'), ({'low': 1500}, 'contradicted'),
+    ({'high': 1100, 'upTo': 1}, 'supported'), ({'low': 1500, 'from': 2, 'upTo': 2}, 'supported')])
+def test_within(limits, verdict):
+    found = judged({'test': 'within', **limits}, lambda s, x: 1000 * x, scatter=0.01)
+    assert found['verdict'] == verdict and found['runs'] == 3 * len(found['text'].split(' at ')[1:])
+
+
+def test_withinIsUndecidedWhereSeedsDisagree():
+    found = judged({'test': 'within', 'low': 1000}, lambda s, x: 1000, scatter=0.05, seed=3)
+    assert found['verdict'] == 'undecided' and found['parts'][0]['numbers']['outside']
+
+
 def test_oneSeed():
     """Trends need no scatter within an x; differences take the one common to all points, or none."""
     options = {'seeds': (1,), 'x': (1, 2, 3, 4, 5, 6)}
@@ -262,6 +275,9 @@ def test_missingRuns():
     ({'test': 'ordered', 'y': 'peak', 'series': ['cube', 'cube']}, 'a name is repeated'),
     ({'test': 'peaksAt', 'y': 'peak', 'x': 0.008}, 'x = 0.008: must be one of .* with others on both sides'),
     ({'test': 'noEffect', 'y': 'peak', 'margin': 0}, 'margin = 0: must lie between 0 and 1'),
+    ({'test': 'within', 'y': 'peak'}, 'low = None: test within needs low, high or both'),
+    ({'test': 'within', 'y': 'peak', 'low': 2, 'high': 1}, 'low = 2: must not be above high = 1'),
+    ({'test': 'within', 'y': 'peak', 'low': 'none'}, "low = 'none': must be a number"),
     ({'test': 'falls', 'y': 'peak', 'paper': 3}, 'paper = 3: must be a sentence')])
 def test_badFindings(finding, message):
     with pytest.raises(ValueError, match=message):
