@@ -235,7 +235,7 @@ def test_placesMustBeInTheContainer():
         planOf({**STUDY, 'places': 2, 'base': {**STUDY.get('base', {}), 'impactorDiameter': 0.03, 'containerDiameter': 0.05}})
 
 
-@pytest.mark.parametrize('name', ['paper', 'quick', 'sensitivity', 'example'])
+@pytest.mark.parametrize('name', ['paper', 'quick', 'sensitivity', 'example', 'damper'])
 def test_theProjectsStudies(name):
     study = studyfile.read(os.path.join(PROJECT, 'scripts', 'study', f'{name}.yaml'))
     plan = plans.planOf(study)
