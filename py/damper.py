@@ -16,7 +16,7 @@ from yade.wrapper import VibratingBoxEngine, VibrationRecorder
 
 from . import checkpoint, damperreport
 from .container import boxContainer
-from .damperparameters import checked, makeMaterial, sampleSteps, shapeOf, timeStep
+from .damperparameters import checked, makeMaterial, sampleSteps, shapeOf, startOf, timeStep
 from .engines import engine, halfSizes, solverCounters, superquadricEngines
 from .filling import rainFilling
 from .settling import RestCriterion, settle
@@ -143,8 +143,10 @@ class DamperRun:
         self._checkLid()
         lid = O.bodies.append(utils.wall((0, 0, p['boxHeight']), axis=2, sense=-1, material='particles'))
         box.ids = [*box.ids, lid]
+        displacement, velocity = startOf(p)
         box.updateAttrs({'freeAxes': p['axis'], 'forceAmplitude': alongAxis(p, p['forceAmplitude']), 'frequency': p['frequency'],
-                         'phase': -2 * math.pi * p['frequency'] * O.time})
+                         'phase': -2 * math.pi * p['frequency'] * O.time, 'displacement': alongAxis(p, displacement),
+                         'velocity': alongAxis(p, velocity)})
         engine(VibrationRecorder).dead = False
         O.trackEnergy = True
         self.state.update(stage='drive', startTime=O.time, restCentroid=list(centroid(self.ids)))

@@ -17,6 +17,7 @@ from .parameters import Parameter
 from .restitution import collisionDuration, normalDampingFor
 
 BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
+STARTS = ('steady', 'rest')
 OF_THE_MATERIAL = ('density', 'young', 'poisson')  # parameters that the material gives unless they are given themselves
 
 
@@ -72,6 +73,8 @@ PARAMETERS = (
     Parameter('axis', 'z', '', _oneOf(('x', 'y', 'z')), 'along which the box moves: z is along gravity', DRIVE),
     Parameter('forceAmplitude', 9.72, 'N', checks.positive, 'of the driving force', DRIVE),
     Parameter('frequency', 25.5, 'Hz', checks.positive, 'of the driving force', DRIVE),
+    Parameter('start', 'steady', '', _oneOf(STARTS), "how the box begins: 'steady', on the response of the empty box (that of the box with the particles "
+              "frozen to it where these are not thrown); 'rest', from which it takes the free vibration long to die out", DRIVE),
     Parameter('transientTime', 1.0, 's', checks.notNegative, 'of the drive before the measurement, rounded up to whole periods', DRIVE),
     Parameter('periods', 30, '', _count(2), 'of the drive that are measured', DRIVE),
     Parameter('samples', 200, '', _count(20), 'records of the motion per period', DRIVE),
@@ -186,6 +189,29 @@ def sampleSteps(parameters):
 def timeStep(parameters):
     """Time step of the drive [s]."""
     return 1 / (parameters['frequency'] * parameters['samples'] * sampleSteps(parameters))
+
+
+def startOf(parameters):
+    """Displacement [m] and velocity [m/s] of the box when the force begins.
+
+    'steady': those of Im(A exp(i omega t)) at t = 0, with the closed form A = F/(k - M omega^2 + i c omega), cut at the height of the box. M is
+    the box alone, or with the particles where then its acceleration stays below gravity, so that they are not thrown.
+    """
+    p, omega = parameters, 2 * math.pi * parameters['frequency']
+    if p['start'] == 'rest':
+        return 0.0, 0.0
+    for mass in (p['boxMass'] + massOf(p), p['boxMass']):
+        ratio = complex(p['stiffness'] - mass * omega ** 2, p['dashpot'] * omega)
+        size = p['forceAmplitude'] / max(abs(ratio), p['forceAmplitude'] / p['boxHeight'])
+        if size * omega ** 2 < p['gravity']:
+            break
+    amplitude = size * (ratio.conjugate() / abs(ratio) if ratio else -1j)
+    return amplitude.imag, amplitude.real * omega
+
+
+def massOf(parameters):
+    """Mass of the particles with the mean size [kg]."""
+    return parameters['particles'] * densityOf(parameters) * shapeOf(parameters).volume
 
 
 def naturalFrequency(parameters, addedMass=0.0):

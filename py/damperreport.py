@@ -10,6 +10,9 @@ from .engines import engine
 SUMMARY, RECORD, SPECTRUM, PHASES, HISTORY, ENERGIES = FILES = (
     'summary.json', 'motion.csv', 'spectrum.png', 'phases.png', 'motion.png', 'energies.png')
 
+CLOSED = 0.01  # of the work: an account that is off by more is not closed
+STEADY = 0.1   # of the work: what else goes into stored energy, or comes out of it
+
 
 def write(run):
     """Write all results of the `run` (`DamperRun`), the summary last. Returns it."""
@@ -70,10 +73,17 @@ def text(content):
 
 def warnings(content):
     """What makes the results of a `summary` doubtful, one sentence each."""
-    if abs(content['energy']['balanceError']) > 0.01:
+    if abs(content['energy']['balanceError']) > CLOSED:
         yield 'the energy balance is off by more than one per cent of the work; take a smaller time step'
+    if not isSteady(content['energy']):
+        yield 'the motion was still building up or dying out while it was measured; take a longer transientTime'
     if content['solver'].get('uncertified'):
         yield f'{content["solver"]["uncertified"]} of {content["solver"]["solves"]} solutions of the contact problem are not certified'
+
+
+def isSteady(energy):
+    """Whether what was stored or given back over the measured periods is little beside the work; a box that nothing damps counts as steady."""
+    return not energy['dissipated'] or abs(energy['stored']) <= STEADY * abs(energy['work'])
 
 
 def _motionText(name, motion):

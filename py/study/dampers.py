@@ -4,6 +4,7 @@ import os
 import numpy
 
 from .. import damperparameters as parameters
+from ..damperreport import CLOSED, STEADY
 from ..dampermotion import Motion, lastPeriods, spectrum
 from ..results import readCsv, readJson
 from .experiment import Experiment
@@ -33,7 +34,6 @@ MEASURED = {
 }
 SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential', 'frictionDissip': 'sliding friction',
          'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
-CLOSED = 0.01  # of the work: an account that is off by more is not closed
 HIGHEST = 4    # frequency in the spectra, over the drive's
 
 
@@ -48,6 +48,12 @@ def _periodOf(body):
 
 def _centroidRatio(summary):
     return summary['centroid']['rms'] / summary['box']['rms'] if summary['centroid'] and summary['box']['rms'] else None
+
+
+def _storedShare(summary):
+    """Of the work; 0 where nothing damps, so that the motion can only be what it began with."""
+    energy = summary['energy']
+    return energy['stored'] / energy['work'] if energy['dissipated'] else 0.0
 
 
 def _shareOf(sink):
@@ -70,6 +76,7 @@ DERIVED = {
     'centroidRatio': _centroidRatio,
     'centroidHarmonicShare': _ofCentroid('harmonicShare'),
     'centroidLoopFill': _ofCentroid('loopFill'),
+    'storedShare': _storedShare,
     'normalViscousLead': _normalViscousLead,
     'uncertified': lambda summary: summary['solver'].get('uncertified', 0),
     **{f'{sink}Share': _shareOf(sink) for sink in SINKS},
@@ -77,8 +84,9 @@ DERIVED = {
 
 
 def _concerns(done):
-    open_ = int((done['balanceError'].abs() > CLOSED).sum())
-    return [f'runs whose energy account is off by more than {100 * CLOSED:g} % of the work: {open_}'] if open_ else []
+    counts = ((done['balanceError'].abs() > CLOSED, f'runs whose energy account is off by more than {100 * CLOSED:g} % of the work'),
+              (done['storedShare'].abs() > STEADY, 'runs that were still building up or dying out'))
+    return [f'{text}: {", ".join(f"{x:g} Hz" for x in done["frequency"][wrong])}' for wrong, text in counts if wrong.any()]
 
 
 def drawShares(data, series, values, panels, records):

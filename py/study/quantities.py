@@ -50,6 +50,7 @@ QUANTITIES = {
     'centroidRatio': Quantity('motion of the centre of mass over that of the box (rms)', '', '', 1),
     'centroidHarmonicShare': Quantity('harmonic part of the variance of the centre of mass', '', '', 1),
     'centroidLoopFill': Quantity('loop of the centre of mass in its phase plane over the rectangle about it', '', '', 1),
+    'storedShare': Quantity('stored energy gained, over the work', '', '%', 100),
     'balanceError': Quantity('error of the energy account', '', '%', 100),
     'runSeconds': Quantity('computing the run', '', 's', 1),
     'threads': Quantity('threads', '', '', 1),
