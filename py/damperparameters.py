@@ -1,8 +1,8 @@
 """The parameters of a particle damper: one list for command line, checks and summary.
 
 The defaults are the system of Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 1211-1216 (2018). Its table of contact parameters
-is lost in our copy: tangential and rolling damping, rolling friction and the width of the size distribution are choices. Of its material E = 70 GPa, nu = 0.33 and
-2700 kg/m3 are known; the shipped aluminium alloy comes near.
+is lost in our copy: tangential and rolling damping, rolling friction and the width of the size distribution are choices. Of its material
+E = 70 GPa, nu = 0.33 and 2700 kg/m3 are known; the shipped aluminium alloy comes near.
 """
 import math
 
@@ -73,8 +73,8 @@ PARAMETERS = (
     Parameter('axis', 'z', '', _oneOf(('x', 'y', 'z')), 'along which the box moves: z is along gravity', DRIVE),
     Parameter('forceAmplitude', 9.72, 'N', checks.positive, 'of the driving force', DRIVE),
     Parameter('frequency', 25.5, 'Hz', checks.positive, 'of the driving force', DRIVE),
-    Parameter('start', 'steady', '', _oneOf(STARTS), "how the box begins: 'steady', on the response of the empty box (that of the box with the particles "
-              "frozen to it where these are not thrown); 'rest', from which it takes the free vibration long to die out", DRIVE),
+    Parameter('start', 'steady', '', _oneOf(STARTS), 'how the box begins: \'steady\', on the response of the empty box (that of the box with the '
+              'particles frozen to it where these are not thrown); \'rest\', from which it takes the free vibration long to die out', DRIVE),
     Parameter('transientTime', 1.0, 's', checks.notNegative, 'of the drive before the measurement, rounded up to whole periods', DRIVE),
     Parameter('periods', 30, '', _count(2), 'of the drive that are measured', DRIVE),
     Parameter('samples', 200, '', _count(20), 'records of the motion per period', DRIVE),

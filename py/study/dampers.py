@@ -32,8 +32,8 @@ MEASURED = {
     'versionPython': ('versions', 'python'),
     'versionNumpy': ('versions', 'numpy'),
 }
-SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential', 'frictionDissip': 'sliding friction',
-         'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
+SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential',
+         'frictionDissip': 'sliding friction', 'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
 HIGHEST = 4    # frequency in the spectra, over the drive's
 
 

@@ -88,7 +88,8 @@ def _offThickness(done):
 
 
 IMPACTS = Experiment(
-    name='impact', script='impact.py', folder='impacts', parameters=parameters.PARAMETERS, bedScope=parameters.BED, bedJobs=True, checked=parameters.checked, standard=standard,
-    particleCount=parameters.particleCount, costs=_costs, places=placesOf, measured=MEASURED, derived=DERIVED, mayBeMissing=('innerC0',),  # in a thin bed
+    name='impact', script='impact.py', folder='impacts', parameters=parameters.PARAMETERS, bedScope=parameters.BED, bedJobs=True,
+    checked=parameters.checked, standard=standard, particleCount=parameters.particleCount, costs=_costs, places=placesOf,
+    measured=MEASURED, derived=DERIVED, mayBeMissing=('innerC0',),  # in a thin bed
     runSeconds='impactSeconds', shown=('peak', 'C0', 'duration', 'H'), concerns=_concerns,
     validations={'cylinderOnPlane': 'cylinder_on_plane'}, drawings={'curves': drawCurves})

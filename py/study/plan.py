@@ -20,7 +20,8 @@ def planOf(study, seeds=None):
     :raises ValueError: a bad parameter, with the group, series and x where it stands
     """
     experiment = EXPERIMENTS[study['experiment']]
-    plan = {'title': study['title'], 'experiment': experiment.name, 'script': experiment.script, 'folder': experiment.folder, 'bedJobs': experiment.bedJobs,
+    plan = {'title': study['title'], 'experiment': experiment.name, 'script': experiment.script, 'folder': experiment.folder,
+            'bedJobs': experiment.bedJobs,
             'validations': [picture for name, picture in experiment.validations.items() if study['validations'].get(name)],
             'runs': {}, 'beds': {}, 'groups': []}
     seeds = None if seeds is None else checkedSeeds('seeds', list(seeds))
