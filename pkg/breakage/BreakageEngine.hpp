@@ -1,0 +1,105 @@
+// Breaks particles into smaller ones: YADE's side of pkg/geometry/Fragments.hpp, FragmentMotion.hpp and ParticleStress.hpp.
+#pragma once
+
+#include "BreakableMat.hpp"
+
+#include <core/Scene.hpp>
+#include <pkg/common/PeriodicEngines.hpp>
+#include <pkg/geometry/FragmentMotion.hpp>
+
+namespace yade {
+
+class CurvaturePhys;
+
+class BreakageEngine : public PeriodicEngine {
+public:
+	void action() override;
+
+	// Called by YADE after the attributes were set or loaded. Refused values are put back before the error leaves.
+	void postLoad(BreakageEngine&);
+
+	// The log as a list of dicts.
+	boost::python::list events() const;
+
+private:
+	struct Parameters {
+		std::string criterion, mode;
+		Real cutExponent, smallestFragment;
+		int maxEvents, seed;
+	};
+	// A particle that may break.
+	struct Candidate {
+		Body* body;
+		const BreakableMat* material;
+		BreakableState* state;
+		Real size; // [m]
+		Real volume; // [m^3]
+	};
+	// One that does.
+	struct Event {
+		Candidate parent;
+		Real value; // of the criterion [Pa]
+		bool forced;
+	};
+
+	Parameters parameters() const;
+	void put(const Parameters& values);
+	void check() const;
+	void checkOrder() const;
+
+	std::optional<Candidate> candidate(Body& body);
+	Real volumeOf(const Body& body);
+	Real smallestShare() const;
+	Real stress(const Candidate& particle) const;
+	std::vector<Event> collect();
+	void breakUp(const Event& event);
+	superquadric::fragments::Pieces cut(const Candidate& parent);
+	Real contactEnergy(const Body& body) const;
+	Real deepestContact(const Body& body) const;
+	shared_ptr<Body> fragment(const Candidate& parent, const superquadric::fragments::Piece& piece, const superquadric::fragments::Layout& layout) const;
+	void noteBirths(Body::id_t first) const;
+	void log(const Event& event, const std::vector<shared_ptr<Body>>& born, Real elasticLoss, Real spinLoss);
+
+	Parameters accepted;
+	std::vector<Real> volumes; // by id, NaN: not known yet [m^3]
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BreakageEngine, PeriodicEngine,
+		"Breaks particles (:yref:`Sphere` and :yref:`Superquadric` of a :yref:`BreakableMat`, not members of clumps, not with all degrees of freedom blocked) whose stress has reached their strength: each is replaced by its fragments, after Zhao & Chi, "
+		"J. Northeastern Univ. Nat. Sci. 44(3), 408 (2023). Mass, momentum, angular momentum and centre of mass stay, and no energy is created: what the parent's contacts had stored and what rotation loses is booked in O.energy['breakage'].\n\n"
+		"It goes first into O.engines, before the collider: it judges by the contacts of the step before, and its fragments take part in the step at once. By default it is called at every step (iterPeriod = 1). "
+		"The contact law must be one on the local curvature (:yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`): contacts in which fragments are born start without force, see "
+		":yref:`CurvaturePhys.restOverlap`.\n\n"
+		"Strengths and cuts are drawn from seed and the particle's id alone: a run repeats, also from a saved scene. A value that is refused raises ValueError naming the parameter and the value; the engine then stays as it was.",
+		((std::string, criterion, "octahedral", Attr::triggerPostLoad, "The stress that is held against :yref:`BreakableState.strength`. 'octahedral': the octahedral shear stress $\\sqrt{(\\sigma_1-\\sigma_2)^2+(\\sigma_2-\\sigma_3)^2+(\\sigma_3-\\sigma_1)^2}/3$ "
+			"of the particle's mean stress (McDowell & de Bono 2013). 'force': the largest force of its contacts over its size squared."))
+		((std::string, mode, "cube", Attr::triggerPostLoad, "Fragments of a sphere. 'cube': eight balls with the volumes of the blocks into which three planes cut a cube through a random point; 'balls4', 'balls18': so many equal balls. Superquadrics know 'cube' only: "
+			"eight superquadrics of the same exponents, each in its block of the parent's box."))
+		((Real, cutExponent, 2, Attr::triggerPostLoad, "p: the cut's coordinates are $u^p$ with u uniform on (0, 1), positive [-]."))
+		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, not negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. It bounds the time step; 0: as published."))
+		((int, maxEvents, 100, Attr::triggerPostLoad, "Particles that break at one call, at least 1: those with the largest stress over strength; the others wait."))
+		((int, seed, 0, Attr::triggerPostLoad, "Of strengths, cuts and orientations, not negative."))
+		((std::vector<int>, forced, , , "Ids of particles that break at the next call whatever their stress is, maxEvents notwithstanding; then emptied. ValueError at that call for bodies that cannot break."))
+		((int, waiting, 0, Attr::readonly, "Particles that had reached their strength at the last call and were left for the next."))
+		((int, evenCuts, 0, Attr::readonly, "Cuts through the middle because no other was found without a fragment below smallestFragment, so far."))
+		((int, spinGains, 0, Attr::readonly, "Events in which no arrangement was found that keeps the energy of rotation from growing, so far: to be 0."))
+		((std::vector<Real>, eventTimes, , Attr::readonly, "Of each event so far: O.time [s]; the lists up to childNumbers grow together. See events() for all as dicts."))
+		((std::vector<int>, eventSteps, , Attr::readonly, "O.iter."))
+		((std::vector<int>, eventParents, , Attr::readonly, "Id of the particle that broke."))
+		((std::vector<int>, eventGenerations, , Attr::readonly, "Its generation."))
+		((std::vector<Real>, eventSizes, , Attr::readonly, "Its size [m]."))
+		((std::vector<Real>, eventValues, , Attr::readonly, "Its stress [Pa]."))
+		((std::vector<Real>, eventStrengths, , Attr::readonly, "Its strength [Pa]."))
+		((std::vector<Real>, eventElasticLosses, , Attr::readonly, "Elastic energy of its contacts [J]."))
+		((std::vector<Real>, eventSpinLosses, , Attr::readonly, "Energy of rotation that was lost [J]."))
+		((std::vector<int>, childNumbers, , Attr::readonly, "Number of its fragments."))
+		((std::vector<int>, childIds, , Attr::readonly, "Ids of all fragments, event after event."))
+		((std::vector<Real>, childSizes, , Attr::readonly, "Their sizes [m]."))
+		, iterPeriod = 1; accepted = parameters();,
+		.def("events", &BreakageEngine::events, "All events so far, as a list of dicts: time [s], step, parent (id), generation, size [m], value and strength [Pa], elasticLoss and spinLoss [J], children (ids), childSizes [m].")
+	);
+	// clang-format on
+};
+REGISTER_SERIALIZABLE(BreakageEngine);
+
+} // namespace yade
