@@ -4,7 +4,7 @@ from collections import Counter
 
 from yade import O
 from yade.wrapper import (
-    Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, CurvatureMat,
+    Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, BreakableMat, CurvatureMat,
     ElastoplasticMat, ForceResetter, Ig2_Facet_Sphere_ScGeom, Ig2_Facet_Superquadric_SuperquadricGeom,
     Ig2_HollowCylinder_Sphere_SuperquadricGeom, Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
     Ig2_Sphere_Sphere_ScGeom, Ig2_Sphere_Superquadric_SuperquadricGeom,
@@ -31,7 +31,8 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
     :param damping: YADE's non-viscous damping [-]; 0 leaves the dissipation to the contact law
     :param afterForces: engines to run when all contact forces are known and nothing has moved yet (recorders)
     :param law: of the contacts: 'curvature' (Wang & Ji 2018), or 'elastoplastic' (Li et al. 2018; pairs without an
-        ElastoplasticMat are elastic under it). By default the latter where a body in the scene has an ElastoplasticMat
+        ElastoplasticMat are elastic under it). By default the latter where a body in the scene has an ElastoplasticMat, other than a
+        BreakableMat that does not yield
 
     Contacts exist between bodies whose material is a CurvatureMat only; YADE aborts the whole process when it meets a pair
     that it has no law for. So the bodies that are in the scene are looked through here; later ones are not.
@@ -64,7 +65,8 @@ def checkMaterials():
 
 def _lawFor(law):
     """The key of LAWS for the bodies in the scene, `law` itself if it is not None."""
-    elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)]
+    elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)
+                     and not (isinstance(body.mat, BreakableMat) and math.isinf(body.mat.yieldStress))]
     if law is None:
         return 'elastoplastic' if elastoplastic else 'curvature'
     if checks.oneOf('law', law, LAWS) == 'curvature':

@@ -7,9 +7,10 @@
 #include <pkg/common/PeriodicEngines.hpp>
 #include <pkg/geometry/FragmentMotion.hpp>
 
-namespace yade {
+#include <optional>
+#include <vector>
 
-class CurvaturePhys;
+namespace yade {
 
 class BreakageEngine : public PeriodicEngine {
 public:
@@ -47,21 +48,20 @@ private:
 	void check() const;
 	void checkOrder() const;
 
+	std::vector<Event> collect();
 	std::optional<Candidate> candidate(Body& body);
 	Real volumeOf(const Body& body);
-	Real smallestShare() const;
+	Real smallestShare(Real size) const;
 	Real stress(const Candidate& particle) const;
-	std::vector<Event> collect();
-	void breakUp(const Event& event);
 	superquadric::fragments::Pieces cut(const Candidate& parent);
-	Real contactEnergy(const Body& body) const;
-	Real deepestContact(const Body& body) const;
-	shared_ptr<Body> fragment(const Candidate& parent, const superquadric::fragments::Piece& piece, const superquadric::fragments::Layout& layout) const;
+	static bool isBall(const Candidate& particle);
+	static superquadric::Shape shapeOf(const Candidate& particle);
+	void breakUp(const Event& event);
 	void noteBirths(Body::id_t first) const;
-	void log(const Event& event, const std::vector<shared_ptr<Body>>& born, Real elasticLoss, Real spinLoss);
+	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
 	Parameters accepted;
-	std::vector<Real> volumes; // by id, NaN: not known yet [m^3]
+	std::vector<std::pair<long, Real>> volumes; // of superquadrics by id, with the shape's fingerprint; 0: not known yet [m^3]
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BreakageEngine, PeriodicEngine,

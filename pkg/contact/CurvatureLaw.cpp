@@ -17,6 +17,8 @@ bool CurvatureLaw::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Intera
 		return true;
 	}
 	const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
+	auto& phys = static_cast<CurvaturePhys&>(*iPhys);
+	if (scene->iter == birthStep && std::max(id1, id2) >= firstBorn) phys.restOverlap = geom.penetrationDepth;
 	const Body &one = *Body::byId(id1, scene), &two = *Body::byId(id2, scene);
 	Vector3r shift = Vector3r::Zero(), shiftVelocity = Vector3r::Zero();
 	if (scene->isPeriodic) {
@@ -26,11 +28,11 @@ bool CurvatureLaw::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Intera
 	const MovingBody body1(one, *scene), body2(two, *scene, shift, shiftVelocity);
 	ContactLoad now;
 	if (ours)
-		now = load(*ours, *iPhys, body1, body2);
+		now = load(*ours, phys, body1, body2);
 	else {
 		const auto side1 = Meeting::flatOrSphere(one), side2 = Meeting::flatOrSphere(two);
 		geom.contactPoint = Meeting::middleOfOverlap(geom, side1, body1.position, side2, body2.position);
-		now = respond(static_cast<CurvaturePhys&>(*iPhys), Meeting(body1, body2, side1, side2, geom));
+		now = respondToPressure(phys, Meeting(body1, body2, side1, side2, geom));
 	}
 	scene->forces.addForce(id1, -now.force);
 	scene->forces.addForce(id2, now.force);
@@ -41,7 +43,17 @@ bool CurvatureLaw::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Intera
 
 ContactLoad CurvatureLaw::load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2)
 {
-	return respond(static_cast<CurvaturePhys&>(phys), Meeting(body1, body2, geom));
+	return respondToPressure(static_cast<CurvaturePhys&>(phys), Meeting(body1, body2, geom));
+}
+
+// The overlap at rest gives way to bodies that part, while there is no force: so no energy comes of it.
+ContactLoad CurvatureLaw::respondToPressure(CurvaturePhys& phys, Meeting bodies)
+{
+	if (phys.restOverlap > 0) {
+		phys.restOverlap = std::min(phys.restOverlap, bodies.overlap);
+		bodies.overlap -= phys.restOverlap;
+	}
+	return respond(phys, bodies);
 }
 
 void CurvatureLaw::noteMasses(CurvaturePhys& phys, const Meeting& bodies, const Meeting::Radii& radii, bool leverArms)

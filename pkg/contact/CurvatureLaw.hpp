@@ -15,6 +15,13 @@ public:
 	bool go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction) override;
 	ContactLoad load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2) override;
 
+	// Bodies from this id on have come to be by breakage in this step: their contacts begin without force, however much they overlap.
+	void noteBirths(long step, Body::id_t first)
+	{
+		birthStep = step;
+		firstBorn = first;
+	}
+
 protected:
 	// The law itself.
 	virtual ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) = 0;
@@ -27,7 +34,13 @@ protected:
 	void checkOverlapLimit(Real& overlapLimit);
 
 private:
+	// `respond` to the overlap beyond the one at rest.
+	ContactLoad respondToPressure(CurvaturePhys& phys, Meeting bodies);
+
 	Real acceptedLimit = 0.1;
+	// Not saved: whoever notes births does so in the same step.
+	long birthStep = -1;
+	Body::id_t firstBorn = 0;
 };
 
 } // namespace yade

@@ -1,7 +1,11 @@
 #include "CurvaturePhys.hpp"
 
+#include <pkg/geometry/HertzMindlin.hpp>
+
 namespace yade {
 
 YADE_PLUGIN((CurvaturePhys));
+
+Real CurvaturePhys::storedEnergy() const { return superquadric::hertzMindlin::normalEnergy(hertzStiffness, overlap) + shearEnergy; }
 
 } // namespace yade

@@ -9,6 +9,9 @@ class CurvaturePhys : public FrictPhys {
 public:
 	virtual ~CurvaturePhys() = default;
 
+	// Of all its springs, as in O.energy['elastic'] [J].
+	virtual Real storedEnergy() const;
+
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(CurvaturePhys, FrictPhys,
 		"Physics of a contact under :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`. All forces are those on body 2 (the opposite acts on body 1). normalForce and shearForce are "
@@ -22,7 +25,8 @@ public:
 		((Real, normalMass, NaN, Attr::readonly, "$m^*$ of the normal damping (8) in this step, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.leverArms` [kg]. |yupdate|"))
 		((Real, effectiveRadius, NaN, Attr::readonly, "$R^*$ of (7) in this step, from bounded curvatures [m]. |yupdate|"))
 		((Real, hertzStiffness, 0, Attr::readonly, "$K_n$ of (7) in this step [N/m^1.5]. |yupdate|"))
-		((Real, overlap, 0, Attr::readonly, "Overlap in this step [m]. |yupdate|"))
+		((Real, overlap, 0, Attr::readonly, "Overlap in this step that the law counts, which is the geometry's less restOverlap [m]. |yupdate|"))
+		((Real, restOverlap, 0, Attr::readonly, "Overlap without force: that which the bodies had when one of them came to be by breakage (:yref:`BreakageEngine`), in the same step as the contact; an overlap that falls below takes it along, it never grows. Zero of all other contacts [m]. |yupdate|"))
 		((Vector3r, shearDisplacement, Vector3r::Zero(), Attr::readonly, "Tangential displacement of body 2 relative to body 1 since the contact began, less what slipped; turns with the contact [m]. |yupdate|"))
 		((Vector3r, normalViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of normalForce [N]. |yupdate|"))
 		((Vector3r, shearViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of shearForce [N]. |yupdate|"))

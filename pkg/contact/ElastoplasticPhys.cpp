@@ -4,6 +4,13 @@ namespace yade {
 
 YADE_PLUGIN((ElastoplasticPhys));
 
+Real ElastoplasticPhys::storedEnergy() const
+{
+	const superquadric::elastoplastic::Pair pair { plasticity(), effectiveModulus, effectiveRadius };
+	const Real rolled = rollingStiffness > 0 ? (rollingElastic.squaredNorm() + twistingElastic * twistingElastic) / (2 * rollingStiffness) : 0;
+	return superquadric::elastoplastic::normalForce(pair, history(), overlap).elastic + shearEnergy + rolled;
+}
+
 void ElastoplasticPhys::setPlasticity(const superquadric::elastoplastic::Material& material)
 {
 	yieldStress = material.yieldStress;

@@ -12,6 +12,7 @@ namespace yade {
 class ElastoplasticPhys : public CurvaturePhys {
 public:
 	virtual ~ElastoplasticPhys() = default;
+	Real storedEnergy() const override;
 
 	superquadric::elastoplastic::Material plasticity() const
 	{

@@ -19,7 +19,7 @@ ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys,
 	if (scene->trackEnergy) bookEnergy(phys, bodies, now, hertz);
 
 	phys.hertzStiffness = hertz;
-	phys.overlap = geom.penetrationDepth;
+	phys.overlap = bodies.overlap;
 	phys.kn = now.normal.stiffness;
 	phys.ks = phys.kn / phys.stiffnessRatio;
 	phys.normalForce = now.normal.total() * geom.normal;
@@ -35,7 +35,7 @@ ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys,
 Law2_ScGeom_CurvaturePhys_HertzMindlin::Response
 Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const
 {
-	const Real overlap = bodies.geom.penetrationDepth;
+	const Real overlap = bodies.overlap;
 	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };
 	const hm::Friction friction { phys.tangensOfFrictionAngle, phys.stiffnessRatio, phys.tangentialDamping, phys.effectiveMass };
 	const Vector3r displacement = bodies.turned(phys.shearDisplacement) + bodies.sliding * scene->dt;
@@ -55,7 +55,7 @@ void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(const CurvaturePhys& bef
 	energies.find(*scene);
 	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, value); };
 	const ScGeom& geom = bodies.geom;
-	const Real halfStep = scene->dt / 2, overlap = geom.penetrationDepth;
+	const Real halfStep = scene->dt / 2, overlap = bodies.overlap;
 	const auto& tangential = now.tangential;
 
 	book(Elastic, hm::normalEnergy(hertz, overlap) + tangential.energy);
@@ -68,7 +68,7 @@ void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(const CurvaturePhys& bef
 	const Vector3r draggedBefore = bodies.turned(before.shearForce - before.shearViscous);
 	const Real loaded = -halfStep * bodies.sliding.dot(draggedBefore + tangential.elastic);
 	Real pressed = 0;
-	if (before.overlap > 0) {
+	if (before.overlap > 0 && overlap > 0) {
 		const Real curved = (before.hertzStiffness - hertz) * (hm::normalEnergy(1, before.overlap) + hm::normalEnergy(1, overlap)) / 2;
 		const Real elasticBefore = (before.normalForce - before.normalViscous).norm();
 		// By how much the bodies' approach misses the growth of the overlap, which moves with X0 along the surfaces.

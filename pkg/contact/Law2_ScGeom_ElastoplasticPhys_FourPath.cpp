@@ -19,7 +19,7 @@ ContactLoad Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys& curva
 	const Response now = response(phys, bodies);
 	if (scene->trackEnergy) bookEnergy(phys, bodies, now);
 
-	phys.overlap = bodies.geom.penetrationDepth;
+	phys.overlap = bodies.overlap;
 	phys.setHistory(now.normal.history);
 	phys.kn = now.normal.unloadingStiffness;
 	phys.normalViscous = now.normalViscous * normal;
@@ -44,7 +44,7 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, 
 {
 	Response now;
 	const ep::Pair pair { phys.plasticity(), phys.effectiveModulus, phys.effectiveRadius };
-	now.normal = ep::normalForce(pair, phys.history(), bodies.geom.penetrationDepth);
+	now.normal = ep::normalForce(pair, phys.history(), bodies.overlap);
 	now.normalViscous = ep::viscousForce(now.normal, phys.normalDamping, phys.normalMass, bodies.approach);
 	now.tangential = tangential(phys, bodies, now.normal);
 	now.rolling = rolling(phys, bodies, now.normal);
@@ -100,8 +100,8 @@ void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys&
 // moves with the contact point along the surfaces.
 Real Law2_ScGeom_ElastoplasticPhys_FourPath::modelError(const ElastoplasticPhys& before, const Meeting& bodies, const ep::State& now) const
 {
-	if (!(before.overlap > 0)) return 0;
-	const Real overlap = bodies.geom.penetrationDepth;
+	const Real overlap = bodies.overlap;
+	if (!(before.overlap > 0 && overlap > 0)) return 0;
 	Real curved = 0;
 	if (before.curveRadius != now.history.radius) {
 		const ep::Pair old { before.plasticity(), before.curveModulus, before.curveRadius };

@@ -16,6 +16,7 @@ Meeting::Meeting(const MovingBody& one, const MovingBody& two, const Superquadri
         , side2 { geom.curvature2, geom.sectionRadius2, geom.smallestHalfSize2 }
         , geom(geom)
         , ours(&geom)
+        , overlap(geom.penetrationDepth)
         , spin(two.spin - one.spin)
 {
 	findMotion();
@@ -28,6 +29,7 @@ Meeting::Meeting(const MovingBody& one, const MovingBody& two, const Side& side1
         , side2(side2)
         , geom(geom)
         , ours(nullptr)
+        , overlap(geom.penetrationDepth)
         , spin(two.spin - one.spin)
 {
 	findMotion();

@@ -21,6 +21,7 @@ struct Meeting {
 	Side side1, side2;
 	const ScGeom& geom;
 	const SuperquadricGeom* ours; // the same geometry, if it is ours
+	Real overlap; // that the law counts: the geometry's, less what is at rest (CurvaturePhys::restOverlap) [m]
 	Real approach; // speed at which the overlap grows [m/s]
 	Vector3r velocity, sliding; // of body 2 relative to body 1 at the contact, all of it and its tangential part [m/s]
 	Vector3r spin; // the same, angular [rad/s]

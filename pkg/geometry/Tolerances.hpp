@@ -98,4 +98,24 @@ constexpr double shortestWallStep = 1e-9;
 constexpr double seam = 1e-6;
 constexpr double clearlyDown = 1e-3;
 
+// Breakage. Cuts that are tried before a particle is halved along each axis instead; with the smallest piece that is allowed a tenth as large as the
+// parent (in size), one in a few is accepted.
+constexpr int cutTrials = 1000;
+
+// The centre of a fragment stays inside its parent by this part of its own smallest half size, so that walls it is born at are left well on their side; but no
+// contact draws it in below the second number, in half sizes of the parent. Moving in one fragment moves the others by its share of the mass only.
+constexpr double fragmentMargin = 0.5;
+constexpr double smallestReach = 0.25;
+constexpr int placingRounds = 30;
+
+// Axes that are tried for the fragments of a spinning ball, each time spread by this much more: at last all are as far out as they may.
+constexpr int layoutTrials = 64;
+constexpr double spreadStep = 0.02;
+
+// Principal moments that differ by less than this part are those of a body that turns like a sphere.
+constexpr double isotropic = 1e-9;
+
+// Rounding of an energy of rotation, relative.
+constexpr double energyRounding = 1e-13;
+
 } // namespace superquadric::tolerances

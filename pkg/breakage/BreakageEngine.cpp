@@ -1,0 +1,263 @@
+#include "BreakageEngine.hpp"
+
+#include "FragmentBody.hpp"
+#include "ParticleContacts.hpp"
+
+#include <core/EnergyTracker.hpp>
+#include <core/InteractionLoop.hpp>
+#include <lib/high-precision/Constants.hpp>
+#include <pkg/common/Collider.hpp>
+#include <pkg/common/Sphere.hpp>
+#include <pkg/contact/CurvatureLaw.hpp>
+#include <pkg/geometry/ParticleStress.hpp>
+#include <pkg/superquadric/Checks.hpp>
+#include <pkg/superquadric/Superquadric.hpp>
+
+#include <algorithm>
+
+namespace yade {
+
+YADE_PLUGIN((BreakageEngine));
+
+namespace fragments = superquadric::fragments;
+
+namespace {
+	// What the random numbers of a particle are for; each has numbers of its own.
+	enum Purpose { Strength, Cut, Turn };
+
+	// Of the smallest fragment, where all are as even as the mode can make them.
+	Real largestSmallestShare(const std::string& mode) { return mode == "cube" ? 1. / 8 : mode == "balls4" ? 1. / 4 : 1. / 18; }
+
+	bool isOneOf(const std::string& value, std::initializer_list<const char*> choices)
+	{
+		return std::any_of(choices.begin(), choices.end(), [&](const char* choice) { return value == choice; });
+	}
+}
+
+BreakageEngine::Parameters BreakageEngine::parameters() const { return { criterion, mode, cutExponent, smallestFragment, maxEvents, seed }; }
+
+void BreakageEngine::put(const Parameters& values)
+{
+	criterion = values.criterion;
+	mode = values.mode;
+	cutExponent = values.cutExponent;
+	smallestFragment = values.smallestFragment;
+	maxEvents = values.maxEvents;
+	seed = values.seed;
+}
+
+void BreakageEngine::check() const
+{
+	if (!isOneOf(criterion, { "octahedral", "force" })) refuse("criterion", "'octahedral' or 'force'", criterion);
+	if (!isOneOf(mode, { "cube", "balls4", "balls18" })) refuse("mode", "'cube', 'balls4' or 'balls18'", mode);
+	requirePositive("cutExponent", cutExponent);
+	requireNotNegative("smallestFragment", smallestFragment);
+	if (maxEvents < 1) refuse("maxEvents", "at least 1", maxEvents);
+	if (seed < 0) refuse("seed", "not negative", seed);
+}
+
+void BreakageEngine::postLoad(BreakageEngine&)
+{
+	try {
+		check();
+	} catch (const std::invalid_argument&) {
+		put(accepted);
+		throw;
+	}
+	accepted = parameters();
+}
+
+void BreakageEngine::action()
+{
+	checkOrder();
+	std::vector<Event> events = collect();
+	const auto firstToWait = std::partition_point(events.begin(), events.end(), [](const Event& event) { return event.forced; });
+	const auto byExcess = [](const Event& a, const Event& b) { return a.value / a.parent.state->strength > b.value / b.parent.state->strength; };
+	std::stable_sort(firstToWait, events.end(), byExcess);
+	const std::ptrdiff_t asked = events.end() - firstToWait;
+	waiting = int(std::max<std::ptrdiff_t>(0, asked - maxEvents));
+	events.erase(events.end() - waiting, events.end());
+	forced.clear();
+	if (!events.empty()) noteBirths(scene->bodies->size());
+	for (const Event& event : events)
+		breakUp(event);
+}
+
+void BreakageEngine::checkOrder() const
+{
+	bool met = false;
+	for (const auto& engine : scene->engines) {
+		met |= engine.get() == this;
+		if (!met && (dynamic_cast<Collider*>(engine.get()) || dynamic_cast<InteractionLoop*>(engine.get())))
+			throw std::invalid_argument("BreakageEngine must stand before the collider and the contact loop in O.engines");
+	}
+}
+
+// Forced ones first, then those at their strength, both by id.
+std::vector<BreakageEngine::Event> BreakageEngine::collect()
+{
+	std::vector<int> ids = forced;
+	std::sort(ids.begin(), ids.end());
+	ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+	std::vector<Event> events;
+	for (Body::id_t id : ids) {
+		if (!scene->bodies->exists(id)) refuse("forced", "ids of bodies in the scene", id);
+		const auto particle = candidate(*(*scene->bodies)[id]);
+		if (!particle) refuse("forced", "ids of particles that can break", id);
+		events.push_back({ *particle, stress(*particle), /*forced*/ true });
+	}
+	for (const auto& body : *scene->bodies) {
+		const auto particle = candidate(*body);
+		if (!particle || std::binary_search(ids.begin(), ids.end(), body->getId())) continue;
+		const Real value = stress(*particle);
+		if (value >= particle->state->strength) events.push_back({ *particle, value, /*forced*/ false });
+	}
+	return events;
+}
+
+std::optional<BreakageEngine::Candidate> BreakageEngine::candidate(Body& body)
+{
+	const auto* material = dynamic_cast<const BreakableMat*>(body.material.get());
+	if (!material || !body.isStandalone() || body.state->blockedDOFs == State::DOF_ALL) return std::nullopt;
+	const Real volume = volumeOf(body), size = std::cbrt(6 * volume / Mathr::PI);
+	if (!(volume > 0) || size < material->smallestSize || smallestShare(size) > largestSmallestShare(mode)) return std::nullopt;
+	auto* state = dynamic_cast<BreakableState*>(body.state.get());
+	if (!state) refuse("state", "a BreakableState, as material.newAssocState() makes it, of a body of BreakableMat", body.getId());
+	if (std::isnan(state->strength)) state->strength = material->law().quantile(size, superquadric::CounterRandom(seed, body.getId(), Strength).uniform());
+	if (!(state->strength > 0)) refuse("strength", "positive", state->strength);
+	return Candidate { &body, material, state, size, volume };
+}
+
+// Of a superquadric it takes logarithms of gamma functions: remembered as long as the shape stays.
+Real BreakageEngine::volumeOf(const Body& body)
+{
+	if (const auto* sphere = dynamic_cast<const Sphere*>(body.shape.get())) return 4. / 3 * Mathr::PI * std::pow(sphere->radius, 3);
+	const auto* ours = dynamic_cast<const Superquadric*>(body.shape.get());
+	if (!ours) return 0;
+	if (mode != "cube") refuse("mode", "'cube' where superquadrics can break", mode);
+	if (volumes.size() < scene->bodies->size()) volumes.resize(scene->bodies->size(), { 0, 0 });
+	auto& [fingerprint, volume] = volumes[body.getId()];
+	if (volume == 0 || fingerprint != ours->solid().fingerprint()) {
+		fingerprint = ours->solid().fingerprint();
+		volume = ours->volume();
+	}
+	return volume;
+}
+
+Real BreakageEngine::smallestShare(Real size) const { return std::pow(smallestFragment / size, 3); }
+
+Real BreakageEngine::stress(const Candidate& particle) const
+{
+	const ParticleContacts contacts(*particle.body, *scene);
+	if (criterion == "force") return contacts.largestForce() / (particle.size * particle.size);
+	return superquadric::octahedralShearStress(contacts.stressSum() / particle.volume);
+}
+
+fragments::Pieces BreakageEngine::cut(const Candidate& parent)
+{
+	if (mode == "balls4") return fragments::fourBalls();
+	if (mode == "balls18") return fragments::eighteenBalls();
+	superquadric::CounterRandom random(seed, parent.body->getId(), Cut);
+	auto point = fragments::drawCut(random, cutExponent, smallestShare(parent.size));
+	if (!point) {
+		++evenCuts;
+		point = Vector3r::Constant(0.5);
+	}
+	return isBall(parent) ? fragments::ballsOfBlocks(*point) : fragments::blocks(*point);
+}
+
+bool BreakageEngine::isBall(const Candidate& particle) { return dynamic_cast<const Sphere*>(particle.body->shape.get()); }
+
+superquadric::Shape BreakageEngine::shapeOf(const Candidate& particle)
+{
+	if (const auto* sphere = dynamic_cast<const Sphere*>(particle.body->shape.get())) return { Vector3r::Constant(sphere->radius), 2, 2 };
+	return static_cast<const Superquadric&>(*particle.body->shape).solid();
+}
+
+void BreakageEngine::breakUp(const Event& event)
+{
+	const Candidate& parent = event.parent;
+	const State& state = *parent.state;
+	const Body::id_t id = parent.body->getId();
+	const ParticleContacts contacts(*parent.body, *scene);
+	const Real stored = contacts.storedEnergy();
+	const superquadric::Shape shape = shapeOf(parent);
+	const fragments::Parent before { shape, state.mass, state.inertia, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, isBall(parent) };
+	const fragments::Pieces pieces = cut(parent);
+	superquadric::CounterRandom turns(seed, id, Turn);
+	const fragments::Layout layout = fragments::arrange(pieces, before, turns);
+	if (layout.gains) ++spinGains;
+
+	std::vector<shared_ptr<Body>> born;
+	for (std::size_t i = 0; i < pieces.size(); ++i)
+		born.push_back(fragmentOf(*parent.body, shape, pieces[i], layout.offsets[i], layout.spin));
+	const Real spinLoss = before.spinEnergy() - layout.spinEnergy;
+	log(event, pieces, stored, spinLoss);
+	scene->bodies->erase(id, /*eraseClumpMembers*/ false); // and its interactions
+	for (const auto& body : born)
+		childIds.push_back(scene->bodies->insert(body));
+	if (!scene->trackEnergy) return;
+	int entry = -1; // looked up every time: O.energy.clear() may have emptied the list
+	scene->energy->add(stored + spinLoss, "breakage", entry, /*reset*/ false);
+}
+
+// A law that knows nothing of it would let fragments fly apart: there must be none of them.
+void BreakageEngine::noteBirths(Body::id_t first) const
+{
+	for (const auto& engine : scene->engines) {
+		const auto* loop = dynamic_cast<const InteractionLoop*>(engine.get());
+		if (!loop) continue;
+		for (const auto& functor : loop->lawDispatcher->functors) {
+			auto* law = dynamic_cast<CurvatureLaw*>(functor.get());
+			if (!law)
+				throw std::invalid_argument("BreakageEngine: " + functor->getClassName() + " cannot hold fragments that overlap at birth; use a law on the local curvature");
+			law->noteBirths(scene->iter, first);
+		}
+	}
+}
+
+void BreakageEngine::log(const Event& event, const fragments::Pieces& pieces, Real elasticLoss, Real spinLoss)
+{
+	const Candidate& parent = event.parent;
+	eventTimes.push_back(scene->time);
+	eventSteps.push_back(int(scene->iter));
+	eventParents.push_back(parent.body->getId());
+	eventGenerations.push_back(parent.state->generation);
+	eventSizes.push_back(parent.size);
+	eventValues.push_back(event.value);
+	eventStrengths.push_back(parent.state->strength);
+	eventElasticLosses.push_back(elasticLoss);
+	eventSpinLosses.push_back(spinLoss);
+	childNumbers.push_back(int(pieces.size()));
+	for (const fragments::Piece& piece : pieces)
+		childSizes.push_back(parent.size * std::cbrt(piece.share));
+}
+
+boost::python::list BreakageEngine::events() const
+{
+	boost::python::list all;
+	std::size_t child = 0;
+	for (std::size_t i = 0; i < eventTimes.size(); ++i) {
+		boost::python::dict event;
+		event["time"] = eventTimes[i];
+		event["step"] = eventSteps[i];
+		event["parent"] = eventParents[i];
+		event["generation"] = eventGenerations[i];
+		event["size"] = eventSizes[i];
+		event["value"] = eventValues[i];
+		event["strength"] = eventStrengths[i];
+		event["elasticLoss"] = eventElasticLosses[i];
+		event["spinLoss"] = eventSpinLosses[i];
+		boost::python::list ids, sizes;
+		for (int left = childNumbers[i]; left > 0; --left, ++child) {
+			ids.append(childIds[child]);
+			sizes.append(childSizes[child]);
+		}
+		event["children"] = ids;
+		event["childSizes"] = sizes;
+		all.append(event);
+	}
+	return all;
+}
+
+} // namespace yade
