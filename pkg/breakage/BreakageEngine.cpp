@@ -6,6 +6,7 @@
 #include <core/EnergyTracker.hpp>
 #include <core/InteractionLoop.hpp>
 #include <lib/high-precision/Constants.hpp>
+#include <lib/pyutil/gil.hpp>
 #include <pkg/common/Collider.hpp>
 #include <pkg/common/Sphere.hpp>
 #include <pkg/contact/CurvatureLaw.hpp>
@@ -70,6 +71,7 @@ void BreakageEngine::postLoad(BreakageEngine&)
 void BreakageEngine::action()
 {
 	checkOrder();
+	letGo();
 	std::vector<Event> events = collect();
 	const auto firstToWait = std::partition_point(events.begin(), events.end(), [](const Event& event) { return event.forced; });
 	const auto byExcess = [](const Event& a, const Event& b) { return a.value / a.parent.state->strength > b.value / b.parent.state->strength; };
@@ -81,6 +83,13 @@ void BreakageEngine::action()
 	if (!events.empty()) noteBirths(scene->bodies->size());
 	for (const Event& event : events)
 		breakUp(event);
+}
+
+void BreakageEngine::letGo()
+{
+	if (gone.empty()) return;
+	const gilLock lock;
+	gone.clear();
 }
 
 void BreakageEngine::checkOrder() const
@@ -193,6 +202,7 @@ void BreakageEngine::breakUp(const Event& event)
 		born.push_back(fragmentOf(*parent.body, shape, pieces[i], layout.offsets[i], layout.spin));
 	const Real spinLoss = before.spinEnergy() - layout.spinEnergy;
 	log(event, pieces, stored, spinLoss);
+	gone.push_back((*scene->bodies)[id]);
 	scene->bodies->erase(id, /*eraseClumpMembers*/ false); // and its interactions
 	for (const auto& body : born)
 		childIds.push_back(scene->bodies->insert(body));

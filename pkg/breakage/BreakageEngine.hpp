@@ -46,6 +46,7 @@ private:
 	Parameters parameters() const;
 	void put(const Parameters& values);
 	void check() const;
+	void letGo();
 	void checkOrder() const;
 
 	std::vector<Event> collect();
@@ -61,13 +62,15 @@ private:
 	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
 	Parameters accepted;
+	// What has been erased since the last call. Bodies made by Python, and their shapes, which the contact loop holds for one more step, must be let go with Python's lock.
+	std::vector<shared_ptr<Body>> gone;
 	std::vector<std::pair<long, Real>> volumes; // of superquadrics by id, with the shape's fingerprint; 0: not known yet [m^3]
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BreakageEngine, PeriodicEngine,
 		"Breaks particles (:yref:`Sphere` and :yref:`Superquadric` of a :yref:`BreakableMat`, not members of clumps, not with all degrees of freedom blocked) whose stress has reached their strength: each is replaced by its fragments, after Zhao & Chi, "
 		"J. Northeastern Univ. Nat. Sci. 44(3), 408 (2023). Mass, momentum, angular momentum and centre of mass stay, and no energy is created: what the parent's contacts had stored and what rotation loses is booked in O.energy['breakage'].\n\n"
-		"It goes first into O.engines, before the collider: it judges by the contacts of the step before, and its fragments take part in the step at once. By default it is called at every step (iterPeriod = 1). "
+		"It goes first into O.engines, before the collider: it judges by the contacts of the step before, and its fragments take part in the step at once. By default it is called at every step (iterPeriod = 1, initRun = True). "
 		"The contact law must be one on the local curvature (:yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`): contacts in which fragments are born start without force, see "
 		":yref:`CurvaturePhys.restOverlap`.\n\n"
 		"Strengths and cuts are drawn from seed and the particle's id alone: a run repeats, also from a saved scene. A value that is refused raises ValueError naming the parameter and the value; the engine then stays as it was.",
@@ -95,7 +98,7 @@ private:
 		((std::vector<int>, childNumbers, , Attr::readonly, "Number of its fragments."))
 		((std::vector<int>, childIds, , Attr::readonly, "Ids of all fragments, event after event."))
 		((std::vector<Real>, childSizes, , Attr::readonly, "Their sizes [m]."))
-		, iterPeriod = 1; accepted = parameters();,
+		, iterPeriod = 1; initRun = true; accepted = parameters();,
 		.def("events", &BreakageEngine::events, "All events so far, as a list of dicts: time [s], step, parent (id), generation, size [m], value and strength [Pa], elasticLoss and spinLoss [J], children (ids), childSizes [m].")
 	);
 	// clang-format on

@@ -13,7 +13,7 @@ public:
 	virtual Real storedEnergy() const;
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR(CurvaturePhys, FrictPhys,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(CurvaturePhys, FrictPhys,
 		"Physics of a contact under :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`. All forces are those on body 2 (the opposite acts on body 1). normalForce and shearForce are "
 		"the whole forces, viscous parts included; kn is the tangent stiffness of the normal force and ks that of the tangential force before slip, its upper bound.",
 		((Real, effectiveModulus, NaN, Attr::readonly, "$E^*$ of (7) [Pa]."))
@@ -32,7 +32,8 @@ public:
 		((Vector3r, shearViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of shearForce [N]. |yupdate|"))
 		((Vector3r, rollingCouple, Vector3r::Zero(), Attr::readonly, "Couple of (13) on body 2 [N m]. |yupdate|"))
 		((Real, shearEnergy, 0, Attr::readonly, "Elastic energy of the tangential displacement in this step [J]. |yupdate|"))
-		, createIndex();
+		, createIndex();,
+		.def("storedEnergy", &CurvaturePhys::storedEnergy, "Elastic energy of this contact in this step, of all its springs [J].")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(CurvaturePhys, FrictPhys);
