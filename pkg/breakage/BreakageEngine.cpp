@@ -26,9 +26,6 @@ namespace {
 	// What the random numbers of a particle are for; each has numbers of its own.
 	enum Purpose { Strength, Cut, Turn };
 
-	// Of the smallest fragment, where all are as even as the mode can make them.
-	Real largestSmallestShare(const std::string& mode) { return mode == "cube" ? 1. / 8 : mode == "balls4" ? 1. / 4 : 1. / 18; }
-
 	bool isOneOf(const std::string& value, std::initializer_list<const char*> choices)
 	{
 		return std::any_of(choices.begin(), choices.end(), [&](const char* choice) { return value == choice; });
@@ -129,7 +126,7 @@ std::optional<BreakageEngine::Candidate> BreakageEngine::candidate(Body& body)
 	const auto* material = dynamic_cast<const BreakableMat*>(body.material.get());
 	if (!material || !body.isStandalone() || body.state->blockedDOFs == State::DOF_ALL) return std::nullopt;
 	const Real volume = volumeOf(body), size = std::cbrt(6 * volume / Mathr::PI);
-	if (!(volume > 0) || size < material->smallestSize || smallestShare(size) > largestSmallestShare(mode)) return std::nullopt;
+	if (!(volume > 0) || size < material->smallestSize || !canBeCut(body, size)) return std::nullopt;
 	auto* state = dynamic_cast<BreakableState*>(body.state.get());
 	if (!state) refuse("state", "a BreakableState, as material.newAssocState() makes it, of a body of BreakableMat", body.getId());
 	if (std::isnan(state->strength)) state->strength = material->law().quantile(size, superquadric::CounterRandom(seed, body.getId(), Strength).uniform());
@@ -153,7 +150,18 @@ Real BreakageEngine::volumeOf(const Body& body)
 	return volume;
 }
 
-Real BreakageEngine::smallestShare(Real size) const { return std::pow(smallestFragment / size, 3); }
+fragments::Least BreakageEngine::least(const Body& body, Real size) const
+{
+	const auto* ours = dynamic_cast<const Superquadric*>(body.shape.get());
+	if (ours) return { 0, smallestFragment / 2 * ours->solid().inverseHalfSizes() }; // wider than that it is larger, too
+	return { std::pow(smallestFragment / size, 3), Vector3r::Zero() };
+}
+
+bool BreakageEngine::canBeCut(const Body& body, Real size) const
+{
+	if (mode == "cube") return least(body, size).possible();
+	return least(body, size).share <= (mode == "balls4" ? 1. / 4 : 1. / 18);
+}
 
 Real BreakageEngine::stress(const Candidate& particle) const
 {
@@ -167,7 +175,7 @@ fragments::Pieces BreakageEngine::cut(const Candidate& parent)
 	if (mode == "balls4") return fragments::fourBalls();
 	if (mode == "balls18") return fragments::eighteenBalls();
 	superquadric::CounterRandom random(seed, parent.body->getId(), Cut);
-	auto point = fragments::drawCut(random, cutExponent, smallestShare(parent.size));
+	auto point = fragments::drawCut(random, cutExponent, least(*parent.body, parent.size));
 	if (!point) {
 		++evenCuts;
 		point = Vector3r::Constant(0.5);
@@ -193,6 +201,7 @@ void BreakageEngine::breakUp(const Event& event)
 	const superquadric::Shape shape = shapeOf(parent);
 	const fragments::Parent before { shape, state.mass, state.inertia, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, isBall(parent) };
 	const fragments::Pieces pieces = cut(parent);
+	checkTimeStep(*parent.material, shape, pieces);
 	superquadric::CounterRandom turns(seed, id, Turn);
 	const fragments::Layout layout = fragments::arrange(pieces, before, turns);
 	if (layout.gains) ++spinGains;
@@ -224,6 +233,19 @@ void BreakageEngine::noteBirths(Body::id_t first) const
 			law->noteBirths(scene->iter, first);
 		}
 	}
+}
+
+// A fragment that the time step is too long for would be thrown out of the scene, and then its neighbours.
+void BreakageEngine::checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const fragments::Pieces& pieces) const
+{
+	Real smallest = shape.smallestHalfSize();
+	for (const fragments::Piece& piece : pieces)
+		smallest = std::min(smallest, shape.halfSizes().cwiseProduct(piece.scale).minCoeff());
+	const Real critical = material.criticalTimeStep(smallest);
+	if (scene->dt <= critical || scene->timeStepperActive()) return;
+	std::ostringstream demand;
+	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment, or a shorter step)";
+	refuse("O.dt", demand.str().c_str(), scene->dt);
 }
 
 void BreakageEngine::log(const Event& event, const fragments::Pieces& pieces, Real elasticLoss, Real spinLoss)

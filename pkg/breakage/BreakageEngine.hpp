@@ -52,13 +52,15 @@ private:
 	std::vector<Event> collect();
 	std::optional<Candidate> candidate(Body& body);
 	Real volumeOf(const Body& body);
-	Real smallestShare(Real size) const;
+	superquadric::fragments::Least least(const Body& body, Real size) const;
+	bool canBeCut(const Body& body, Real size) const;
 	Real stress(const Candidate& particle) const;
 	superquadric::fragments::Pieces cut(const Candidate& parent);
 	static bool isBall(const Candidate& particle);
 	static superquadric::Shape shapeOf(const Candidate& particle);
 	void breakUp(const Event& event);
 	void noteBirths(Body::id_t first) const;
+	void checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
 	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
 	Parameters accepted;
@@ -79,7 +81,7 @@ private:
 		((std::string, mode, "cube", Attr::triggerPostLoad, "Fragments of a sphere. 'cube': eight balls with the volumes of the blocks into which three planes cut a cube through a random point; 'balls4', 'balls18': so many equal balls. Superquadrics know 'cube' only: "
 			"eight superquadrics of the same exponents, each in its block of the parent's box."))
 		((Real, cutExponent, 2, Attr::triggerPostLoad, "p: the cut's coordinates are $u^p$ with u uniform on (0, 1), positive [-]."))
-		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, not negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. It bounds the time step; 0: as published."))
+		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, of a superquadric none of its three widths, not negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. 0: as published; but a fragment whose critical time step is below O.dt raises ValueError at the call in which it would be made, unless a :yref:`TimeStepper` is active."))
 		((int, maxEvents, 100, Attr::triggerPostLoad, "Particles that break at one call, at least 1: those with the largest stress over strength; the others wait."))
 		((int, seed, 0, Attr::triggerPostLoad, "Of strengths, cuts and orientations, not negative."))
 		((std::vector<int>, forced, , , "Ids of particles that break at the next call whatever their stress is, maxEvents notwithstanding; then emptied. ValueError at that call for bodies that cannot break."))

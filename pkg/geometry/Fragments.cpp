@@ -81,15 +81,16 @@ Pieces eighteenBalls()
 	return equalBalls(sites);
 }
 
-std::optional<Vector3> drawCut(CounterRandom& random, double exponent, double smallestShare)
+std::optional<Vector3> drawCut(CounterRandom& random, double exponent, const Least& least)
 {
 	for (int trial = 0; trial < tolerances::cutTrials; ++trial) {
 		Vector3 cut;
 		for (int axis = 0; axis < 3; ++axis)
 			cut[axis] = std::pow(random.uniform(), exponent);
 		const auto shares = blockShares(cut);
-		const double least = *std::min_element(shares.begin(), shares.end());
-		if (least > 0 && least >= smallestShare) return cut;
+		const double smallest = *std::min_element(shares.begin(), shares.end());
+		const Vector3 thinnest = cut.cwiseMin(Vector3::Ones() - cut);
+		if (smallest > 0 && smallest >= least.share && (thinnest.array() >= least.sides.array()).all()) return cut;
 	}
 	return std::nullopt;
 }

@@ -34,7 +34,16 @@ Pieces ballsOfBlocks(const Vector3& cut);
 Pieces fourBalls();
 Pieces eighteenBalls();
 
-// Coordinates u^exponent of a cut, drawn anew until no block is smaller than `smallestShare`; none if that takes too many trials.
-std::optional<Vector3> drawCut(CounterRandom& random, double exponent, double smallestShare);
+// What no block may fall below: its share, and its sides over those of the whole.
+struct Least {
+	double share = 0;
+	Vector3 sides = Vector3::Zero();
+
+	// Whether any cut keeps to it: if so, the one through the middle does.
+	bool possible() const { return share <= 1. / 8 && sides.maxCoeff() <= 0.5; }
+};
+
+// Coordinates u^exponent of a cut, drawn anew until no block is less; none if that takes too many trials.
+std::optional<Vector3> drawCut(CounterRandom& random, double exponent, const Least& least = {});
 
 } // namespace superquadric::fragments

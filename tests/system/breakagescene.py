@@ -10,6 +10,7 @@ from yade.wrapper import BreakableMat, BreakageEngine, InsertionSortCollider, In
 import yade.superquadric as sq
 
 RADIUS = 5e-3
+NOTHING_MOVES = 1e-30  # a time step, below the critical one of the smallest fragments [s]
 GLASS = dict(young=1e8, poisson=0.2, density=2500, frictionAngle=0.4, characteristicStrength=2e5, referenceSize=2 * RADIUS, weibullModulus=3)
 
 
@@ -63,6 +64,6 @@ def randomShape(rng):
 def breakAll(ids, **attributes):
     """Break the particles in one step in which nothing else happens; the engine."""
     engine = BreakageEngine(forced=ids, **attributes)
-    O.engines = [engine]
+    O.engines, O.dt = [engine], NOTHING_MOVES
     O.step()
     return engine

@@ -44,7 +44,7 @@ Vector3 centreOfMass(const Pieces& pieces)
 	return centre;
 }
 
-Vector3 randomCut(CounterRandom& random, double exponent) { return *drawCut(random, exponent, 0); }
+Vector3 randomCut(CounterRandom& random, double exponent) { return *drawCut(random, exponent); }
 
 } // namespace
 
@@ -138,12 +138,17 @@ TEST(Fragments, NoPieceIsSmallerThanAskedFor)
 {
 	CounterRandom random(6, 0, 0);
 	for (int i = 0; i < 1000; ++i) {
-		const auto cut = drawCut(random, 2, 1e-3);
+		const auto cut = drawCut(random, 2, { 1e-3, { 0, 0.05, 0.2 } });
 		ASSERT_TRUE(cut);
 		const auto shares = blockShares(*cut);
 		ASSERT_GE(*std::min_element(shares.begin(), shares.end()), 1e-3);
+		ASSERT_TRUE(cut->y() >= 0.05 && cut->y() <= 0.95 && cut->z() >= 0.2 && cut->z() <= 0.8);
 	}
-	EXPECT_FALSE(drawCut(random, 2, 0.2)); // no cut leaves eight pieces of a fifth
+	const Least pieces { 0.2, Vector3::Zero() }, sides { 0, { 0.6, 0, 0 } }; // eight pieces of a fifth; two sides of more than a half
+	for (const Least& least : { pieces, sides }) {
+		EXPECT_FALSE(least.possible());
+		EXPECT_FALSE(drawCut(random, 2, least));
+	}
 }
 
 TEST(CounterRandomNumbers, AreTheSameEverywhere)

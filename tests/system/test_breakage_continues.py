@@ -1,0 +1,84 @@
+"""A bed that is crushed repeats from its seed, and goes on from a saved scene, bit for bit on one thread."""
+import math
+
+import pytest
+from yade import O, utils
+from yade.wrapper import BreakageEngine, Wall
+
+import yade.superquadric as sq
+
+from breakagescene import material, singleThread
+
+RADIUS, SMALLEST = 4e-3, 1.6e-3
+STEPS = 3000  # from the start to where it is saved, and from there to the end
+
+
+def crushedBed(seed):
+    """Spheres, or blocks, in a box whose lid comes down."""
+    O.reset()
+    mat = material(characteristicStrength=3e4, normalDamping=0.2, tangentialDamping=0.1, rollingFriction=0.002)
+    O.materials.append(mat)
+    container = sq.boxContainer(0.03, 0.03, 0.03, mat)
+    shapes = [sq.particleShape('sphere', RADIUS), sq.particleShape('cube', RADIUS)] * 15
+    sq.rainFilling(shapes, container._replace(height=1.0), mat, seed=3)
+    highest = max(body.state.pos[2] for body in O.bodies if not isinstance(body.shape, Wall)) + 2 * RADIUS
+    lid = O.bodies.append(utils.wall((0, 0, highest), axis=2, sense=-1, material=mat))
+    O.bodies[lid].state.vel = (0, 0, -4.0)
+    O.engines = [BreakageEngine(seed=seed, smallestFragment=SMALLEST, maxEvents=2), *sq.superquadricEngines()]
+    singleThread()
+    O.trackEnergy = True
+    O.dt = 0.15 * mat.criticalTimeStep(SMALLEST / 2)
+
+
+def condition():
+    """Tuples: YADE hands out references to its vectors, which would go on with the run."""
+    bodies = [(body.id, tuple(body.state.pos), tuple(body.state.vel), tuple(body.state.angVel), body.state.mass) for body in O.bodies]
+    strengths = [repr(getattr(body.state, 'strength', None)) for body in O.bodies]  # nan equals itself
+    rests = sorted((i.id1, i.id2, i.phys.restOverlap) for i in O.interactions if i.isReal)
+    return bodies, strengths, rests, O.engines[0].events()
+
+
+def run(steps):
+    O.run(steps, True)
+    return condition()
+
+
+@pytest.mark.parametrize('kind', ['yade.bz2', 'xml'])
+def test_loadedSceneContinuesBitForBit(tmp_path, kind):
+    crushedBed(seed=1)
+    atSaving = run(STEPS)
+    O.save(str(tmp_path / f'bed.{kind}'))
+    atEnd = run(STEPS)
+    energies = dict(O.energy.items())
+    O.load(str(tmp_path / f'bed.{kind}'))
+    assert condition() == atSaving
+    assert run(STEPS) == atEnd
+    assert dict(O.energy.items()) == pytest.approx(energies, rel=1e-10)
+    events = len(atSaving[3]), len(atEnd[3])
+    print(O.time, events, len(atEnd[0]), max(e['generation'] for e in atEnd[3]), sum(r[2]>0 for r in atSaving[2]), O.engines[0].evenCuts)
+    assert 5 < events[0] < events[1] - 5, 'the test must meet breakage before and after'
+    assert any(rest > 0 for _, _, rest in atSaving[2]) and any(event['generation'] for event in atEnd[3])
+
+
+def test_runRepeatsFromItsSeedAndOtherSeedsDiffer():
+    ends = []
+    for seed in (1, 1, 2):
+        crushedBed(seed)
+        ends.append(run(STEPS))
+    assert ends[0] == ends[1]
+    assert ends[0][3] != ends[2][3]
+    assert not any(math.isnan(value) for body in ends[0][0] for value in body[1])
+
+
+def test_theWorstBreakFirstAndTheOthersWait():
+    crushedBed(seed=1)
+    engine = O.engines[0]
+    waited = 0
+    for _ in range(STEPS // 5):
+        O.run(5, True)
+        waited = max(waited, engine.waiting)
+    perStep = [engine.eventSteps.count(step) for step in set(engine.eventSteps)]
+    assert max(perStep) == engine.maxEvents and waited > 0
+    ratios = [event['value'] / event['strength'] for event in engine.events()]
+    for first, second, steps in zip(ratios, ratios[1:], zip(engine.eventSteps, engine.eventSteps[1:])):
+        assert first >= 1 and (steps[0] != steps[1] or first >= second)
