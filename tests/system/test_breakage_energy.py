@@ -21,8 +21,11 @@ STEP = 0.02            # over the critical one of the smallest fragment: what th
 SMALLEST = 0.4 * RADIUS
 STEPS = 4000           # until fragments and neighbours have left each other
 ROUNDING = 1e-12       # of the event itself, relative
-INTEGRATION = 1e-4     # what the time step adds in the course of spheres, over the energy; the same without breakage
-CURVATURE = 0.05       # of superquadrics, whose law has no potential and books what that costs as 'nonconservative'
+# What a cluster's energy grows by at most in its course, over that before. Spheres: the time step; 4e-4 seen with breakage, 1.3e-3 without. Blocks: their law has no
+# potential, 2 % seen with breakage, 0.5 % without; together with what it books of that as 'nonconservative' the account of all clusters closes as that of spheres.
+LIMITS = {'spheres': 2e-3, 'blocks': 0.03}
+BOOKED = 3e-4           # error of O.energy's total over it: 1e-4 seen with and without breakage
+BOOKED_FRICTION = 0.02  # the same under friction, which the curvature law books to first order
 
 
 def cluster(index, shape, mat, rng):
@@ -90,12 +93,28 @@ class Course:
         self.sinks = dict(O.energy.items())
 
 
+@pytest.fixture(scope='module')
+def unbroken():
+    """The same clusters without breakage: what the integration creates by itself."""
+    return {kind: Course(kind, breaks=False) for kind in ('spheres', 'blocks')}
+
+
 @pytest.mark.parametrize('kind, attributes', [('spheres', {}), ('spheres', {'mode': 'balls4'}), ('spheres', {'mode': 'balls18'}), ('blocks', {})])
-def test_noEnergyIsCreated(kind, attributes):
-    with_, without = Course(kind, **attributes), Course(kind, breaks=False, **attributes)
-    atOnce = with_.after + with_.losses - with_.before
-    gain = (with_.course - with_.after).max(axis=0) / with_.before
-    lost = (with_.course - with_.after).min(axis=0) / with_.before
-    print(kind, attributes, 'loss', np.percentile(with_.losses / with_.before, [0, 50, 100]), 'at once', np.abs(atOnce / with_.before).max(),
-       'gain', np.percentile(gain, [0, 50, 95, 100]), 'lost', np.percentile(lost, [0, 5, 50]), 'without',
-       np.percentile((without.course-without.after).max(axis=0)/without.before, [50, 95, 100]), np.percentile((without.course-without.after).min(axis=0)/without.before, [0,5,50]), 'booked', with_.booked, without.booked, with_.sinks)
+def test_noEnergyIsCreated(kind, attributes, unbroken):
+    run = Course(kind, **attributes)
+    assert run.losses.min() > 0 and len(run.losses) == CLUSTERS
+    np.testing.assert_allclose(run.after + run.losses, run.before, rtol=ROUNDING)
+    gains = (run.course - run.after).max(axis=0) / run.before
+    own = ((unbroken[kind].course - unbroken[kind].after).max(axis=0) / unbroken[kind].before).max()
+    # Blocks meet in many more contacts after they have broken, and each may put in a little.
+    assert own < LIMITS[kind] and gains.max() < LIMITS[kind]
+    assert np.median(gains) < LIMITS[kind] / 4
+    assert abs(run.booked) < BOOKED
+
+
+def test_withFrictionEnergyOnlyFalls():
+    """As bodies rub, the sum of kinetic and stored energy falls; all sinks together keep the account."""
+    run = Course('spheres', frictionAngle=0.4)
+    assert ((run.course - run.after).max(axis=0) / run.before).max() < LIMITS['spheres']
+    assert np.all(run.course[-1] < run.after) and run.sinks['frictionDissip'] > 0.01 * run.before.sum()
+    assert abs(run.booked) < BOOKED_FRICTION
