@@ -9,25 +9,28 @@ MIDDLES = (BINS[1:] + BINS[:-1]) / 2
 XLABEL, YLABEL = '$d/d_{max}$', 'part of the fragments [%]'
 
 
-def frequencies(values):
-    """Part of the values in each of BINS [%]."""
-    return 100 * np.histogram(values, BINS)[0] / np.size(values)
+def frequencies(values, byMass=False):
+    """Part of the fragments in each of BINS, by number or by mass [%]."""
+    counts = np.histogram(values, BINS, weights=values ** 3 if byMass else None)[0]
+    return 100 * counts / counts.sum()
 
 
-def exactFrequencies(exponent, ratios):
-    return 100 * np.diff(CutDistribution(exponent).ofParents(BINS, ratios))
+def exactFrequencies(exponent, ratios, byMass=False):
+    distribution = CutDistribution(exponent)
+    return 100 * np.diff((distribution.massOfParents if byMass else distribution.ofParents)(BINS, ratios))
 
 
 def exponents(path, runs, ratios):
-    """Sizes for several exponents of the cut (figure 2). `runs`: {p: sizes over d_max}; `ratios`: the parents' sizes over d_max."""
-    figure, panels = newFigure(1, 1, 6, 4)
-    axes = panels[0, 0]
-    for (exponent, values), colour, marker in zip(runs.items(), COLOURS, MARKERS):
-        axes.plot(MIDDLES, exactFrequencies(exponent, ratios), color=colour, lw=1.5)
-        axes.plot(MIDDLES, frequencies(values), marker, color=colour, ms=5, label=f'p = {exponent:g}')
-    axes.plot([], [], color='0.3', lw=1.5, label='exact')
-    axes.set(xlabel=XLABEL, ylabel=YLABEL, xlim=(0, 1), ylim=(0, None), title=f'{len(ratios)} parents, each broken once')
-    axes.legend(frameon=False)
+    """Sizes for several exponents of the cut (figure 2), by number and by mass. `runs`: {p: sizes over d_max}; `ratios`: the parents' sizes over d_max."""
+    figure, panels = newFigure(2, 1, 5, 3.8)
+    for axes, byMass in zip(panels[0], (False, True)):
+        for (exponent, values), colour, marker in zip(runs.items(), COLOURS, MARKERS):
+            axes.plot(MIDDLES, exactFrequencies(exponent, ratios, byMass), color=colour, lw=1.5)
+            axes.plot(MIDDLES, frequencies(values, byMass), marker, color=colour, ms=5, label=f'p = {exponent:g}')
+        axes.plot([], [], color='0.3', lw=1.5, label='exact')
+        axes.set(xlabel=XLABEL, ylabel='part of the mass [%]' if byMass else YLABEL, xlim=(0, 1), ylim=(0, None), title='by mass' if byMass else 'by number')
+    panels[0, 0].legend(frameon=False)
+    figure.suptitle(f'{len(ratios)} parents, each broken once')
     save(figure, path)
 
 

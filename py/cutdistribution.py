@@ -29,6 +29,13 @@ class CutDistribution:
     def __call__(self, x):
         return np.interp(x, self._sizes, self._probabilities)
 
+    def massOfParents(self, x, ratios):
+        """The part of the mass in fragments whose size over the common length is <= x."""
+        middles, steps = (self._sizes[1:] + self._sizes[:-1]) / 2, np.diff(self._probabilities)
+        masses = np.concatenate([[0], np.cumsum(8 * middles ** 3 * steps)])
+        weights = np.asarray(ratios) ** 3
+        return sum(weight * np.interp(np.asarray(x) / ratio, self._sizes, masses) for weight, ratio in zip(weights, ratios)) / weights.sum()
+
     def _side(self, t):
         """P(w <= t) of one side."""
         t = np.minimum(t, 1)

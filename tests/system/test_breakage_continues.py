@@ -43,17 +43,19 @@ def run(steps):
     return condition()
 
 
-@pytest.mark.parametrize('kind', ['yade.bz2', 'xml'])
-def test_loadedSceneContinuesBitForBit(tmp_path, kind):
+def test_loadedSceneContinuesBitForBit(tmp_path):
     crushedBed(seed=1)
     atSaving = run(STEPS)
-    O.save(str(tmp_path / f'bed.{kind}'))
+    files = [str(tmp_path / f'bed.{kind}') for kind in ('yade.bz2', 'xml')]
+    for file in files:
+        O.save(file)
     atEnd = run(STEPS)
     energies = dict(O.energy.items())
-    O.load(str(tmp_path / f'bed.{kind}'))
-    assert condition() == atSaving
-    assert run(STEPS) == atEnd
-    assert dict(O.energy.items()) == pytest.approx(energies, rel=1e-10)
+    for file in files:
+        O.load(file)
+        assert condition() == atSaving
+        assert run(STEPS) == atEnd
+        assert dict(O.energy.items()) == pytest.approx(energies, rel=1e-10)
     events = len(atSaving[3]), len(atEnd[3])
     assert 5 < events[0] < events[1] - 5, 'the test must meet breakage before and after'
     assert any(rest > 0 for _, _, rest in atSaving[2]) and any(event['generation'] for event in atEnd[3])
@@ -80,7 +82,7 @@ def test_theWorstBreakFirstAndTheOthersWait():
         body.state.strength = 1.0
     engine.dead = False
     O.run(1, True)
-    assert len(loaded) > 10 and engine.waiting >= len(loaded) - engine.maxEvents
+    assert len(loaded) > 4 and engine.waiting >= len(loaded) - engine.maxEvents
     O.run(1, True)
     events = engine.events()
     assert [event['step'] for event in events] == 2 * [STEPS] + 2 * [STEPS + 1]
