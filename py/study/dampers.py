@@ -99,7 +99,7 @@ def drawShares(data, series, values, panels, records):
                 panel.plot(values, 100 * numpy.array(shares), marker=MARKERS[k], ms=5, lw=1.4, color=COLOURS[k], label=label)
         panel.set(xlabel=data.xLabel, title=name)
     axes[0, 0].set_ylabel('share of the dissipated energy [%]')
-    outerLegend(figure, axes.flat)
+    outerLegend(figure, axes.flat, columns=3)
     return figure
 
 
