@@ -34,6 +34,7 @@ MEASURED = {
 }
 SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential',
          'frictionDissip': 'sliding friction', 'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
+FROZEN = (':', '-.')  # lines of the boxes with particles frozen to them
 HIGHEST = 4    # frequency in the spectra, over the drive's
 
 
@@ -123,7 +124,7 @@ def _drawClosedForms(axes, data, series, values):
     frequencies = numpy.linspace(min(values), max(values), 400)
     box = data.runs.iloc[0]
     masses = sorted({round(float(mass), 4) for name in series for mass in data.runs[data.runs['series'] == name]['particlesMass'] if mass})
-    for mass, line, label in ((0.0, '-', 'empty box, closed form'), *((m, ':', f'with {m:.3g} kg frozen to it') for m in masses)):
+    for mass, line, label in ((0.0, '-', 'empty box, closed form'), *((m, FROZEN[k % len(FROZEN)], f'with {m:.3g} kg frozen to it') for k, m in enumerate(masses))):
         inertia = (box['boxMass'] + mass) * (2 * numpy.pi * frequencies) ** 2
         axes.plot(frequencies, 1e3 * box['forceAmplitude'] / abs(box['stiffness'] - inertia), line, lw=1.1, color='#666666', label=label)
     top = 1e3 * data.runs['amplitude'].max()
