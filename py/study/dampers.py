@@ -124,7 +124,8 @@ def _drawClosedForms(axes, data, series, values):
     frequencies = numpy.linspace(min(values), max(values), 400)
     box = data.runs.iloc[0]
     masses = sorted({round(float(mass), 4) for name in series for mass in data.runs[data.runs['series'] == name]['particlesMass'] if mass})
-    for mass, line, label in ((0.0, '-', 'empty box, closed form'), *((m, FROZEN[k % len(FROZEN)], f'with {m:.3g} kg frozen to it') for k, m in enumerate(masses))):
+    frozen = [(mass, FROZEN[k % len(FROZEN)], f'with {mass:.3g} kg frozen to it') for k, mass in enumerate(masses)]
+    for mass, line, label in ((0.0, '-', 'empty box, closed form'), *frozen):
         inertia = (box['boxMass'] + mass) * (2 * numpy.pi * frequencies) ** 2
         axes.plot(frequencies, 1e3 * box['forceAmplitude'] / abs(box['stiffness'] - inertia), line, lw=1.1, color='#666666', label=label)
     top = 1e3 * data.runs['amplitude'].max()
