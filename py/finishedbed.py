@@ -11,27 +11,28 @@ from .report import BEFORE
 SCENE, STATE = 'bed.yade.gz', 'bed.json'
 
 
-def save(folder, state):
-    """Write the scene, then the `state`; the particles (report.BEFORE) must be there already."""
+def save(folder, state, particles=BEFORE):
+    """Write the scene, then the `state`; the file with the `particles` must be there already."""
     O.save(os.path.join(folder, SCENE))
     results.flush(os.path.join(folder, SCENE))
-    results.flush(os.path.join(folder, BEFORE))
+    results.flush(os.path.join(folder, particles))
     results.writeJson(os.path.join(folder, STATE), state)
 
 
-def read(folder):
+def read(folder, part=bedPart, particles=BEFORE):
     """The state of the finished bed in the `folder`.
 
+    :param part: function that picks the bed's own from a complete dict of parameters; :param particles: name of the file with them
     :raises ValueError: there is no bed, a damaged one, or one of a version with other parameters
     """
     if not os.path.exists(os.path.join(folder, STATE)):
         raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({STATE})')
-    missing = [name for name in (SCENE, BEFORE) if not os.path.exists(os.path.join(folder, name))]
+    missing = [name for name in (SCENE, particles) if not os.path.exists(os.path.join(folder, name))]
     if missing:
         raise ValueError(f'bed = {folder!r}: {missing[0]} is missing')
     try:
         state = results.readJson(os.path.join(folder, STATE))
-        bedPart(state['parameters'])
+        part(state['parameters'])
     except (ValueError, TypeError, KeyError) as error:
         raise ValueError(f'bed = {folder!r}: {STATE} is damaged, or of another version ({type(error).__name__}: {error})') from None
     return state
@@ -46,3 +47,10 @@ def load(folder):
         O.load(os.path.join(folder, SCENE))
     except RuntimeError as error:
         raise ValueError(f'bed = {folder!r}: {SCENE} cannot be loaded ({error})') from None
+
+
+def requireSame(folder, wanted, own):
+    """ValueError if the parameters `wanted` of a bed, a dict, are not its `own`."""
+    for name, value in wanted.items():
+        if value != own[name]:
+            raise ValueError(f'{name} = {value!r}: the bed in {folder!r} was poured with {own[name]!r}')

@@ -60,10 +60,7 @@ class ImpactRun:
         """
         state = finishedbed.read(bed)
         parameters = checked({**state['parameters'], **parameters})
-        wanted, own = bedPart(parameters), bedPart(state['parameters'])
-        for name, value in wanted.items():
-            if value != own[name]:
-                raise ValueError(f'{name} = {value!r}: the bed in {bed!r} was poured with {own[name]!r}')
+        finishedbed.requireSame(bed, bedPart(parameters), bedPart(state['parameters']))
         if os.path.realpath(output) == os.path.realpath(bed):
             raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
         cls._checkFolder(output)

@@ -1,0 +1,75 @@
+"""Distributions of the number of contacts of a particle, and of their mean force. A contact counts when it carries a normal force."""
+from collections import namedtuple
+
+import numpy as np
+
+from yade import O
+
+RATTLER_CONTACTS = 1  # a particle with so many or fewer is a rattler: it carries nothing (Zhao & Chi 2023: none or one contact)
+
+Contacts = namedtuple('Contacts', 'numbers forces')
+Contacts.__doc__ = """Of every particle: numbers (N,) of its contacts, with walls included; forces (N,): mean normal force of those [N], 0 without any."""
+
+
+def ofBodies(ids):
+    """`Contacts` of the particles `ids` (sorted), from the scene's last step."""
+    ids = np.asarray(ids, dtype=int)
+    numbers, sums = np.zeros(len(ids), dtype=int), np.zeros(len(ids))
+    places = {int(body): place for place, body in enumerate(ids)}
+    for interaction in O.interactions:
+        if not interaction.isReal:
+            continue
+        force = interaction.phys.normalForce.norm()
+        if not force > 0:
+            continue
+        for body in (interaction.id1, interaction.id2):
+            place = places.get(body)
+            if place is not None:
+                numbers[place] += 1
+                sums[place] += force
+    return Contacts(numbers, np.divide(sums, numbers, out=np.zeros(len(ids)), where=numbers > 0))
+
+
+def withoutRattlers(contacts):
+    """Those of the particles that carry. Their contacts with rattlers still count: the measure is the paper's, one look without repetition."""
+    carrying = contacts.numbers > RATTLER_CONTACTS
+    return Contacts(contacts.numbers[carrying], contacts.forces[carrying])
+
+
+def numberDistribution(contacts):
+    """(numbers 0 ... largest, share of the particles that have so many)."""
+    if not len(contacts.numbers):
+        return np.zeros(0, dtype=int), np.zeros(0)
+    counts = np.bincount(contacts.numbers)
+    return np.arange(len(counts)), counts / counts.sum()
+
+
+def forceDistribution(contacts, edges):
+    """Probability density of a particle's mean contact force over the mean of all of them, in the bins between `edges` [-].
+
+    Particles beyond the edges count in the whole, so the integral over the bins is the share within them. All zeros where no force is.
+    """
+    mean = contacts.forces.mean() if len(contacts.forces) else 0.0
+    if not mean > 0:
+        return np.zeros(len(edges) - 1)
+    counts, _ = np.histogram(contacts.forces / mean, edges)
+    return counts / (len(contacts.forces) * np.diff(edges))
+
+
+def describe(contacts):
+    """Numbers of a distribution, as a dict for JSON."""
+    number, carrying = len(contacts.numbers), withoutRattlers(contacts)
+    return {'particles': number, 'rattlerShare': 1 - len(carrying.numbers) / number if number else 0.0,
+            'meanNumber': _mean(contacts.numbers), 'meanNumberWithoutRattlers': _mean(carrying.numbers),
+            'largestNumber': int(contacts.numbers.max(initial=0)), 'meanForce': _mean(contacts.forces),
+            'meanForceWithoutRattlers': _mean(carrying.forces), 'forceSpread': _spread(contacts.forces),
+            'forceSpreadWithoutRattlers': _spread(carrying.forces)}
+
+
+def _mean(values):
+    return float(np.mean(values)) if len(values) else 0.0
+
+
+def _spread(values):
+    """Standard deviation over the mean."""
+    return float(np.std(values) / np.mean(values)) if len(values) and np.mean(values) > 0 else 0.0

@@ -1,0 +1,95 @@
+"""A run in stages, in a folder of its own, that can be interrupted and taken up again: what all such runs have in common."""
+import os
+import sys
+import time
+from collections import Counter
+
+from . import checkpoint
+from .engines import solverCounters
+from .stepping import Interrupted, Stepper
+
+
+class StagedRun:
+    """A run in the folder `output`. A subclass has a method `_<stage>` for each of its STAGES, which ends by setting state['stage'] to
+    the next one, and 'done' at last. `summary` holds the results.
+
+    :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
+    :ivar pictures: whether to draw them at the end
+    """
+
+    STAGES = ()
+
+    def __init__(self, output, state, stream=sys.stderr):
+        self.output, self.state, self.stream = output, state, stream
+        self.parameters = state['parameters']
+        self.summary = None
+        self.pictures = True
+
+    @staticmethod
+    def checkFolder(output):
+        """ValueError if the folder holds an interrupted run."""
+        if checkpoint.exists(output):
+            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
+
+    @classmethod
+    def inFolder(cls, output, state, files, stream=sys.stderr):
+        """A run at its beginning; of `files`, those that an earlier run left in the folder are removed.
+
+        :raises ValueError: the folder holds an interrupted run
+        """
+        cls.checkFolder(output)
+        os.makedirs(output, exist_ok=True)
+        checkpoint.remove(output)
+        run = cls(output, {**state, 'seconds': 0.0, 'stageSeconds': {}, 'solver': {}}, stream)
+        for name in files:
+            if os.path.exists(run.path(name)):
+                os.remove(run.path(name))
+        return run
+
+    @staticmethod
+    def isInterrupted(output):
+        """Whether the folder holds an interrupted run."""
+        return checkpoint.exists(output)
+
+    @classmethod
+    def resume(cls, output, stream=sys.stderr):
+        """Take up the interrupted run in the folder `output`."""
+        return cls(output, checkpoint.load(output), stream)
+
+    def path(self, name):
+        return os.path.join(self.output, name)
+
+    def run(self, until='done'):
+        """Do all stages that are left, up to `until`; return the summary, None before it is made.
+
+        :raises Interrupted: after Ctrl-C, with a checkpoint written
+        """
+        self._started = time.perf_counter()
+        with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
+            try:
+                while self.state['stage'] != until:
+                    stage = self.state['stage']
+                    self.stepper.begin(stage)
+                    getattr(self, '_' + stage)()
+                    self.count(stage)
+            except Interrupted:
+                self.count(stage)
+                self.state['stepsLeft'] = self.stepper.left
+                checkpoint.save(self.output, self.state)
+                raise
+        checkpoint.remove(self.output)  # what is done needs none: it would only mislead
+        return self.summary
+
+    def _plan(self):
+        """Expected steps of the stages that are left, {stage: steps}, for the estimate of the time left."""
+        return {}
+
+    def count(self, stage):
+        """Add to the totals of a run that may have been interrupted: time taken in all and in the `stage`, solver's counters."""
+        now = time.perf_counter()
+        self.state['seconds'] += now - self._started
+        self.state['stageSeconds'][stage] = self.state['stageSeconds'].get(stage, 0.0) + now - self._started
+        self._started = now
+        solver = Counter(self.state['solver'])
+        solver.update(solverCounters(reset=True))
+        self.state['solver'] = dict(solver)
