@@ -26,6 +26,8 @@ def gradings(path, cases):
     lowest = min(case.after.size(1e-3) for case in cases)
     whole.set(xscale='log', xlabel='d [mm]', ylabel='mass finer [%]', xlim=(1e3 * lowest, None), title='specimen')
     relative.set(xscale='log', xlabel='size of fragment/size of first particle', xlim=(RELATIVE_LOWEST, 1.05), title='fragments')
+    _plainTicks(whole)
+    _plainTicks(relative)
     outerLegend(figure, (whole,))
     save(figure, path)
 
@@ -34,20 +36,29 @@ def _curve(axes, grading, unit, **style):
     axes.step(unit * np.repeat(grading.sizes, 2), 100 * np.repeat(grading.sums, 2)[1:-1], where='post', **style)
 
 
+def _plainTicks(axes):
+    """1, 2, 5, 10, ... on a logarithmic axis x, not powers of ten."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f'{value:g}'))
+
+
 def stresses(path, cases):
     """Axial stress and lateral stress over strain; void ratio over axial stress; events."""
     figure, panels = newFigure(3, 1, 4.4, 3.8)
-    strainPanel, voidPanel, ratioPanel = panels[0]
+    strainPanel, voidPanel, numberPanel = panels[0]
     for colour, case in zip(COLOURS, cases):
         record, label = case.stress, _name(case)
         strainPanel.plot(100 * record['strain'], 1e-6 * record['plateStress'], color=colour, lw=1.4, label=label)
         strainPanel.plot(100 * record['strain'], 1e-6 * record['lateralStress'], color=colour, lw=0.8, ls=':')
         voidPanel.plot(1e-6 * record['plateStress'], record['voidRatio'], color=colour, lw=1.4)
-        ratioPanel.plot(1e-6 * record['plateStress'], record['particles'] / record['particles'][0], color=colour, lw=1.4)
+        numberPanel.plot(100 * record['strain'], record['particles'], color=colour, lw=1.4)
     strainPanel.set(xlabel='axial strain [%]', ylabel='axial stress (dotted: lateral) [MPa]')
     low = min(case.stress['plateStress'].min() for case in cases)
     voidPanel.set(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio', xlim=(1e-6 * max(low, 1e4), None))
-    ratioPanel.set(xlabel='axial stress [MPa]', ylabel='particles/particles at the start')
+    numberPanel.set(xlabel='axial strain [%]', ylabel='particles', ylim=(0, None))
+    _plainTicks(voidPanel)
     outerLegend(figure, (strainPanel,))
     save(figure, path)
 

@@ -1,0 +1,176 @@
+"""The oedometer test (oedometer.OedometerRun) with few soft particles: results, conservation, Hertz, interruption, one bed for several tests."""
+import json
+import math
+import os
+import random
+import signal
+
+import pytest
+from yade import O
+from yade.wrapper import CurvatureMat
+import yade.superquadric as sq
+from yade.superquadric import oedometercase, oedometercomparison, oedometerreport, results
+from yade.superquadric.massscaling import scaleNewborns, sizeOf
+from yade.superquadric.oedometer import OedometerRun
+
+SMALL = dict(particles=25, width=0.09, young=2e7, characteristicStrength=3e4, maxStress=8e4, seatingStress=1e3, maxStrain=0.2, strainRate=3,
+             inertialNumber=0.05, sampleStrain=2e-3, settlingTime=0.5)
+
+
+def run(folder, **changes):
+    return OedometerRun.begin({**SMALL, **changes}, str(folder), stream=None)
+
+
+@pytest.fixture(scope='module')
+def small(tmp_path_factory):
+    """Folder and summary of a finished run."""
+    folder = tmp_path_factory.mktemp('oedometer')
+    return folder, run(folder).run()
+
+
+@pytest.fixture(scope='module')
+def bed(tmp_path_factory):
+    folder = tmp_path_factory.mktemp('bed')
+    assert run(folder).run(until='prepare') is None
+    return folder
+
+
+def test_resultsAreComplete(small):
+    folder, summary = small
+    assert sorted(os.listdir(folder)) == sorted(oedometerreport.FILES)
+    with open(folder / 'summary.json') as file:
+        assert json.load(file) == json.loads(json.dumps(summary))
+    record = oedometercase.columns(folder / 'stress.csv')
+    assert len(record['strain']) > 20 and all(abs(step - 2e-3) < 1e-3 for step in record['strain'][1:] - record['strain'][:-1])
+    assert record['particles'][-1] == summary['particles']['number'] and record['events'][-1] == summary['particles']['broken']
+    assert 'conserved' in oedometerreport.text(summary) and not list(oedometerreport.warnings({**summary, 'quasiStatic': None}))
+
+
+def test_whatBreaksIsConserved(small):
+    folder, summary = small
+    particles, events = summary['particles'], oedometercase.columns(folder / 'events.csv')
+    assert particles['broken'] > 3 and particles['number'] == 25 + 7 * particles['broken'] and len(events['time']) == particles['broken']
+    assert abs(particles['volumeError']) < 1e-12 and particles['lost'] == 0
+    assert all(events['value'] >= events['strength']) and all(events['size'] >= summary['parameters']['smallestSize'])
+    assert all(events['children'] == 8) and summary['grading']['hardin'] > 0 and summary['breakage']['spinGains'] == 0
+
+
+def test_strainAndVoidRatioAreThoseOfThePlate(small):
+    folder, summary = small
+    last = {name: values[-1] for name, values in oedometercase.columns(folder / 'stress.csv').items()}
+    height = summary['bed']['height'] * (1 - last['strain'])
+    solid = sum(oedometercase.columns(folder / 'particles.csv')['volume'])
+    assert last['voidRatio'] == pytest.approx(0.09 ** 2 * height / solid - 1, rel=1e-9)
+
+
+@pytest.mark.parametrize('container', ('box', 'cylinder'))
+def test_aSingleSphereAnswersAsHertzSays(tmp_path, container):
+    """Between plate and base there are two contacts of E/(2 (1 - nu^2)) and the sphere's radius; each takes half of the way."""
+    changes = dict(particles=1, smallestDiameter=0.04, largestDiameter=0.04, width=0.05, container=container, mode='none', maxStress=1e6, maxStrain=0.1,
+                   young=2e9, inertialNumber=1e-3, sampleStrain=1e-4)
+    summary = run(tmp_path, **changes).run()
+    record, height = oedometercase.columns(tmp_path / 'stress.csv'), summary['bed']['height']
+    area = 0.05 ** 2 * (1 if container == 'box' else math.pi / 4)
+    modulus = 2e9 / (2 * (1 - 0.25 ** 2))
+    chosen = [row for row in zip(record['strain'], record['plateStress'], record['baseStress']) if row[1] > 2e5]
+    assert len(chosen) > 30
+    for strain, plate, base in chosen:
+        depth = (0.04 - height * (1 - strain + 0.5e-4)) / 2  # in the middle of the record
+        assert plate * area == pytest.approx(4 / 3 * modulus * math.sqrt(0.02) * depth ** 1.5, rel=0.02)
+        assert base == pytest.approx(plate, rel=0.02)
+    assert max(record['lateralStress']) < 1e-2 * chosen[0][1] and summary['contacts']['after']['meanNumber'] == 2
+
+
+def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatch):
+    if O.numThreads != 1:
+        pytest.skip('the order of summation is only fixed on one thread')
+    stops = [('settle', 333), ('seat', 30), ('compress', 77), ('compress', 900)]
+
+    def stop(stepper):
+        if stops and (stepper.stage, stepper.stageSteps) == stops[0]:
+            stops.pop(0)
+            os.kill(os.getpid(), signal.SIGINT)
+    monkeypatch.setattr(sq.Stepper, 'report', stop)
+    job = run(tmp_path)
+    for left in (3, 2, 1, 0):
+        with pytest.raises(sq.Interrupted):
+            job.run()
+        assert len(stops) == left and OedometerRun.isInterrupted(str(tmp_path))
+        job = OedometerRun.resume(str(tmp_path), stream=None)
+    job.run()
+    for name in ('stress.csv', 'particles.csv', 'events.csv'):
+        assert (tmp_path / name).read_bytes() == (small[0] / name).read_bytes(), name
+
+
+def test_bedAndTestEqualOneRun(small, bed, tmp_path):
+    if O.numThreads != 1:
+        pytest.skip('the order of summation is only fixed on one thread')
+    assert sorted(os.listdir(bed)) == ['bed.json', 'bed.yade.gz', 'before.npz']
+    OedometerRun.onBed(str(bed), {}, str(tmp_path), stream=None).run()
+    assert (tmp_path / 'stress.csv').read_bytes() == (small[0] / 'stress.csv').read_bytes()
+
+
+def test_anotherBedIsRefused(bed, tmp_path):
+    with pytest.raises(ValueError, match='friction = 0.3: the bed in .* was poured with 0.5'):
+        OedometerRun.onBed(str(bed), {'friction': 0.3}, str(tmp_path / 'new'), stream=None)
+    with pytest.raises(ValueError, match='output = .*: holds the bed'):
+        OedometerRun.onBed(str(bed), {}, str(bed), stream=None)
+    assert not (tmp_path / 'new').exists()
+
+
+def test_modesShareOneBedAndAreTakenAsTheyAre(tmp_path):
+    changes = {**SMALL, 'maxStress': 4e4}
+    first = oedometercomparison.compare(['balls4', 'none'], changes, str(tmp_path), stream=None)
+    assert sorted(os.listdir(tmp_path)) == ['balls4', 'bed', 'comparison.json', 'contacts.png', 'grading.png', 'none', 'stress.png']
+    assert first['balls4']['bed'] == first['none']['bed'] and first['none']['particles']['broken'] == 0
+    assert first['balls4']['particles']['number'] == 25 + 3 * first['balls4']['particles']['broken']
+    assert first['balls4']['grading']['fragments']['widestGap']['factor'] == pytest.approx(4 ** (1 / 3), rel=1e-6) or \
+        first['balls4']['particles']['generations'] == 1
+    written = os.stat(tmp_path / 'balls4' / 'summary.json').st_mtime_ns
+    assert oedometercomparison.compare(['balls4', 'none'], changes, str(tmp_path), stream=None)['balls4'] == json.loads(json.dumps(first['balls4']))
+    assert os.stat(tmp_path / 'balls4' / 'summary.json').st_mtime_ns == written
+    assert set(results.readJson(tmp_path / 'comparison.json')) == {'balls4', 'none'} and 'balls4' in oedometercomparison.text(first)
+
+
+def test_blocksBreakAndStayInside(tmp_path):
+    summary = run(tmp_path, shape='block', n1=6, n2=6, particles=15, maxStress=6e4).run()
+    assert summary['particles']['broken'] > 1 and abs(summary['particles']['volumeError']) < 1e-12 and summary['particles']['lost'] == 0
+    assert summary['solver'].get('uncertified', 0) == 0
+
+
+def test_smallFragmentsHaveTheTimeStepOfTheInertialSize():
+    O.reset()
+    material = CurvatureMat(young=1e9, poisson=0.2, density=2500)
+    O.materials.append(material)
+    small, large = (sq.particleShape('cube', radius) for radius in (1e-3, 1e-2))
+    ids = O.bodies.append([shape.body((0.1 * i, 0, 0), sq.randomOrientation(random.Random(1)), material)
+                           for i, shape in enumerate((small, large))])
+    before = [(O.bodies[i].state.mass, O.bodies[i].state.inertia[0]) for i in ids]
+    scaleNewborns(ids, 4e-3)
+    assert sizeOf(O.bodies[ids[0]].shape) == pytest.approx(2e-3)
+    assert O.bodies[ids[0]].state.mass == pytest.approx(4 * before[0][0]) and O.bodies[ids[0]].state.inertia[0] == pytest.approx(4 * before[0][1])
+    assert O.bodies[ids[1]].state.mass == before[1][0]
+
+
+BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('width', 0.03), ('container', 'bag'), ('shape', 'egg'), ('mode', 'balls5'),
+       ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0.015), ('smallestFragment', 0.015),
+       ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('damping', 1), ('restitution', 0.05),
+       ('sampleStrain', math.nan), ('wheels', 4)]
+
+
+@pytest.mark.parametrize('name, value', BAD)
+def test_badInputIsNamedBeforeAnythingIsWritten(tmp_path, name, value):
+    with pytest.raises(ValueError, match=f'{name} = '):
+        run(tmp_path / 'new', **{name: value})
+    assert not (tmp_path / 'new').exists()
+
+
+def test_ballsAreForSpheres(tmp_path):
+    with pytest.raises(ValueError, match="mode = 'balls4'"):
+        run(tmp_path / 'new', shape='cube', mode='balls4')
+
+
+@pytest.mark.parametrize('text', ('', 'cube,cube', 'cube,eggs'))
+def test_badModes(text):
+    with pytest.raises(ValueError, match='modes = '):
+        oedometercomparison.modesOf(text)
