@@ -16,9 +16,8 @@ def ofBodies(ids):
     ids = np.asarray(ids, dtype=int)
     numbers, sums = np.zeros(len(ids), dtype=int), np.zeros(len(ids))
     places = {int(body): place for place, body in enumerate(ids)}
-    for interaction in O.interactions:
-        if not interaction.isReal:
-            continue
+    # YADE's own order of the contacts is another one after loading: the last digits of sums would differ.
+    for interaction in sorted(O.interactions.all(onlyReal=True), key=lambda contact: (contact.id1, contact.id2)):
         force = interaction.phys.normalForce.norm()
         if not force > 0:
             continue

@@ -15,7 +15,6 @@ from . import finishedbed, oedometerreport
 from .container import Container, boxContainer, cylinderContainer, setHeight
 from .engines import engine, superquadricEngines
 from .filling import rainFilling
-from .massscaling import scaleNewborns
 from .oedometerparameters import (
     bedPart, bedTimeStep, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep)
 from .oedometerrecord import Averages, row, strain
@@ -164,10 +163,11 @@ class OedometerRun(StagedRun):
         if p['mode'] != 'none':
             O.materials['particles'].updateAttrs(strengthOf(p))
             O.engines = [BreakageEngine(criterion=p['criterion'], mode=p['mode'], cutExponent=p['cutExponent'], maxEvents=p['maxEvents'],
-                                        smallestFragment=p['smallestFragment'], seed=p['breakageSeed'])] + O.engines
+                                        smallestFragment=p['smallestFragment'], inertialSize=p['inertialSize'],
+                                        seed=p['breakageSeed'])] + O.engines
         O.dt = testTimeStep(p)
         O.trackEnergy = True
-        self.state.update(stage='compress', startTime=O.time, startIter=O.iter, known=len(O.bodies), rate=0.0)
+        self.state.update(stage='compress', startTime=O.time, startIter=O.iter)
         self.state['before'] = oedometerreport.contactsNow(self.ids)
 
     def _compress(self):
@@ -176,15 +176,9 @@ class OedometerRun(StagedRun):
             rate = self._strainRate()
             self.plate.state.vel = (0, 0, -rate * self.state['height'])
             averages = Averages(self.state)
-            self.stepper.run(max(1, round(p['sampleStrain'] / (rate * O.dt))), lambda: self._afterStep(averages))
+            self.stepper.run(max(1, round(p['sampleStrain'] / (rate * O.dt))), averages.add)
             rows.append(row(self, averages.take(), rate))
         self.state['stage'] = 'report'
-
-    def _afterStep(self, averages):
-        averages.add()
-        if len(O.bodies) > self.state['known']:
-            scaleNewborns(range(self.state['known'], len(O.bodies)), self.parameters['inertialSize'])
-            self.state['known'] = len(O.bodies)
 
     def _strainRate(self):
         """[1/s]: strainRate, but never more than inertialNumber allows at the present stress: I = rate d sqrt(density/stress)."""

@@ -53,9 +53,9 @@ def row(run, forces, rate):
 
 
 def lateralForce(container):
-    """Sum of the normal forces on the side walls [N]: on a cylinder they have no resultant."""
+    """Sum of the normal forces on the side walls [N]: on a cylinder they have no resultant. In any order of the contacts the same number."""
     contacts = [contact for wall in container.sideIds for contact in O.bodies[wall].intrs() if contact.isReal]
-    return sum(contact.phys.normalForce.norm() for contact in contacts)
+    return math.fsum(contact.phys.normalForce.norm() for contact in contacts)
 
 
 def lateralArea(run, height):

