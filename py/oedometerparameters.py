@@ -79,7 +79,7 @@ PARAMETERS = (
     Parameter('strainRate', 1.0, '1/s', checks.positive, 'largest axial strain rate', TEST),
     Parameter('inertialNumber', 2e-3, '', checks.positive, 'the plate is slower where the inertial number would be above', TEST),
     Parameter('damping', 0.3, '', _within(0, 1, False), 'YADE\'s non-viscous damping', TEST),
-    Parameter('maxStress', 5e6, 'Pa', checks.positive, 'axial stress at which the test ends', TEST),
+    Parameter('maxStress', 3e6, 'Pa', checks.positive, 'axial stress at which the test ends', TEST),
     Parameter('maxStrain', 0.3, '', _between(0, 1), 'axial strain at which it ends', TEST),
     Parameter('maxParticles', None, '', _optional(_count(1)), 'number of particles at which it ends', TEST),
     Parameter('sampleStrain', 5e-4, '', _between(0, 1), 'strain between two records', TEST),
