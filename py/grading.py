@@ -66,8 +66,8 @@ def hardin(before, after):
 
 
 def einav(before, after, dimension=ULTIMATE_DIMENSION):
-    """Breakage B [-] of Einav, J. Mech. Phys. Solids 55, 1274-1297 (2007): the same area as Hardin's B_t, over that between the grading before and the
-    ultimate one F_u = (d/d_max)^(3 - dimension), whose mean of ln d is ln d_max - 1/(3 - dimension)."""
+    """Breakage B [-] of Einav, J. Mech. Phys. Solids 55, 1274-1297 (2007): the same area as Hardin's B_t, over that between the grading before
+    and the ultimate one F_u = (d/d_max)^(3 - dimension), whose mean of ln d is ln d_max - 1/(3 - dimension)."""
     if not dimension < 3:
         raise ValueError(f'dimension = {dimension!r}: must be below 3')
     ultimate = math.log(before.sizes[-1]) - 1 / (3 - dimension)

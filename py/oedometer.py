@@ -3,6 +3,7 @@ results, in stages that can be interrupted and taken up again.
 
     OedometerRun.begin({'mode': 'cube'}, 'results/cube').run()
 """
+import math
 import os
 import random
 import shutil
@@ -181,15 +182,10 @@ class OedometerRun(StagedRun):
         self.state['stage'] = 'report'
 
     def _strainRate(self):
-        """[1/s]: strainRate, but never more than inertialNumber allows at the present stress: I = rate d sqrt(density/stress)."""
+        """[1/s]: strainRate, but never more than inertialNumber allows at the present stress (`oedometerrecord.row`)."""
         p, rows = self.parameters, self.state['rows']
         stress = max(rows[-1]['plateStress'] if rows else 0.0, p['seatingStress'])
-        return min(p['strainRate'], p['inertialNumber'] / self.largest * (stress / p['density']) ** 0.5)
-
-    @property
-    def largest(self):
-        """Size that the inertial number is made with: the largest one, to be safe [m]."""
-        return self.parameters['largestDiameter']
+        return min(p['strainRate'], p['inertialNumber'] / p['largestDiameter'] * math.sqrt(stress / p['density']))
 
     def _over(self):
         p, rows = self.parameters, self.state['rows']

@@ -1,7 +1,7 @@
 """The parameters of an oedometer test: one list for command line, checks and summary.
 
-The defaults are a rockfill of 20 to 40 mm (the sizes of Zhao & Chi, J. Northeastern Univ. Nat. Sci. 44(3), 408-414 (2023)); the part of that paper that
-gives its specimen is lost in our copy. Young's modulus is softened (docs/oedometer.md).
+The defaults are a rockfill of 20 to 40 mm (the sizes of Zhao & Chi, J. Northeastern Univ. Nat. Sci. 44(3), 408-414 (2023)); the part of that
+paper that gives its specimen is lost in our copy. Young's modulus is softened (docs/oedometer.md).
 """
 import math
 
@@ -70,7 +70,8 @@ PARAMETERS = (
     Parameter('referenceSize', 0.03, 'm', checks.positive, 'size of particles to which it belongs', TEST),
     Parameter('weibullModulus', 3.0, '', checks.positive, 'of the strengths\' scatter; strength goes as size^(-3/modulus)', TEST),
     Parameter('smallestSize', 0.01, 'm', checks.positive, 'particles below do not break', TEST),
-    Parameter('smallestFragment', 1e-3, 'm', checks.notNegative, 'no fragment is smaller (no width of one, if it is not a sphere): such a cut is drawn again', TEST),
+    Parameter('smallestFragment', 1e-3, 'm', checks.notNegative, 'no fragment is smaller (no width of one, if it is not a sphere): such a '
+              'cut is drawn again', TEST),
     Parameter('cutExponent', 2.0, '', checks.positive, 'p of the cube\'s cut: u^p, u uniform', TEST),
     Parameter('maxEvents', 100, '', _count(1), 'particles that break in one step, at most', TEST),
     Parameter('breakageSeed', 1, '', _count(0), 'seed of strengths, cuts and orientations of the fragments', TEST),
