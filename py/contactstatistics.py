@@ -8,7 +8,7 @@ from yade import O
 RATTLER_CONTACTS = 1  # a particle with so many or fewer is a rattler: it carries nothing (Zhao & Chi 2023: none or one contact)
 
 Contacts = namedtuple('Contacts', 'numbers forces')
-Contacts.__doc__ = """Of every particle: numbers (N,) of its contacts, with walls included; forces (N,): their mean normal force [N], 0 without any."""
+Contacts.__doc__ = """Of every particle: numbers (N,) of its contacts, walls included; forces (N,): their mean normal force [N], 0 without any."""
 
 
 def ofBodies(ids):

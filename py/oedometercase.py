@@ -15,8 +15,8 @@ STRESS, EVENTS, PARTICLES, GRADING, NUMBERS, FORCES = TABLES = (
     'stress.csv', 'events.csv', 'particles.csv', 'grading.csv', 'contacts.csv', 'forces.csv')
 
 Case = namedtuple('Case', 'summary stress before after relative contacts')
-Case.__doc__ = """summary: dict; stress: {column: array} of the record; before, after: `Grading`; relative: `Grading` of the fragments over the sizes of the
-first particles that they are of, None without fragments; contacts: `Contacts` at the end."""
+Case.__doc__ = """summary: dict; stress: {column: array} of the record; before, after: `Grading`; relative: `Grading` of the fragments over the
+sizes of the first particles that they are of, None without fragments; contacts: `Contacts` at the end."""
 
 
 def columns(path):

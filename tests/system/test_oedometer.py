@@ -66,8 +66,8 @@ def test_strainAndVoidRatioAreThoseOfThePlate(small):
 @pytest.mark.parametrize('container', ('box', 'cylinder'))
 def test_aSingleSphereAnswersAsHertzSays(tmp_path, container):
     """Between plate and base there are two contacts of E/(2 (1 - nu^2)) and the sphere's radius; each takes half of the way."""
-    changes = dict(particles=1, smallestDiameter=0.04, largestDiameter=0.04, width=0.05, container=container, mode='none', maxStress=1e6, maxStrain=0.1,
-                   young=2e9, inertialNumber=1e-3, sampleStrain=1e-4)
+    changes = dict(particles=1, smallestDiameter=0.04, largestDiameter=0.04, width=0.05, container=container, mode='none', maxStress=1e6,
+                   maxStrain=0.1, young=2e9, inertialNumber=1e-3, sampleStrain=1e-4)
     summary = run(tmp_path, **changes).run()
     record, height = oedometercase.columns(tmp_path / 'stress.csv'), summary['bed']['height']
     area = 0.05 ** 2 * (1 if container == 'box' else math.pi / 4)
@@ -154,7 +154,8 @@ def test_smallFragmentsHaveTheTimeStepOfTheInertialSize(shape):
     material = BreakableMat(young=1e9, poisson=0.2, density=2500, label='stone')
     O.materials.append(material)
     O.bodies.append(sq.particleShape(shape, 0.01).body((0, 0, 0), Quaternion.Identity, material))
-    O.engines = [BreakageEngine(forced=[0], smallestFragment=1e-3, inertialSize=8e-3, seed=3)] + sq.superquadricEngines(gravity=(0, 0, 0), law='curvature')
+    breakage = BreakageEngine(forced=[0], smallestFragment=1e-3, inertialSize=8e-3, seed=3)
+    O.engines = [breakage] + sq.superquadricEngines(gravity=(0, 0, 0), law='curvature')
     O.dt = material.criticalTimeStep(4e-3)
     O.step()
     fragments = [body for body in O.bodies if body is not None]
