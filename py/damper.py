@@ -4,43 +4,30 @@ in stages that can be interrupted and taken up again.
     DamperRun.begin({'frequency': 30.2}, 'results/30.2').run()
 """
 import math
-import os
 import random
 import sys
-import time
-from collections import Counter
 
 from yade import O, utils
 from yade.minieigenHP import Vector3
 from yade.wrapper import VibratingBoxEngine, VibrationRecorder
 
-from . import checkpoint, damperreport
+from . import damperreport
 from .container import boxContainer
 from .damperparameters import checked, makeMaterial, sampleSteps, shapeOf, startOf, timeStep
-from .engines import engine, halfSizes, solverCounters, superquadricEngines
+from .engines import engine, halfSizes, superquadricEngines
 from .filling import rainFilling
 from .settling import RestCriterion, settle
-from .stepping import Interrupted, Stepper
+from .stagedrun import StagedRun
 
 RAIN_GAP = 0.05             # clear distance of the particles at the start, over their diameter: they have little way to fall
 QUIET, SUPPORT = 1e-3, 0.1  # at rest before the drive, see RestCriterion: far below what the drive does to the particles
 VERLET = 0.4                # margin of the collider over the smallest half size: few contacts, fast particles
 
 
-class DamperRun:
-    """A run in the folder `output`. Make it with `begin` or `resume`, then `run()`; `summary` holds the results.
-
-    :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
-    :ivar pictures: whether to draw them at the end
-    """
+class DamperRun(StagedRun):
+    """A run in the folder `output`. Make it with `begin` or `resume`, then `run()`; `summary` holds the results."""
 
     STAGES = ('settle', 'release', 'drive', 'report')
-
-    def __init__(self, output, state, stream=sys.stderr):
-        self.output, self.state, self.stream = output, state, stream
-        self.parameters = state['parameters']
-        self.summary = None
-        self.pictures = True
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -49,54 +36,15 @@ class DamperRun:
 
         :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
-        parameters = checked(parameters)
-        if checkpoint.exists(output):
-            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
-        os.makedirs(output, exist_ok=True)
-        checkpoint.remove(output)
-        for name in damperreport.FILES:
-            if os.path.exists(os.path.join(output, name)):
-                os.remove(os.path.join(output, name))
-        run = cls(output, {'parameters': parameters, 'stage': 'settle', 'seconds': 0.0, 'driveSeconds': 0.0, 'solver': {}, 'energies': [],
-                           'settling': {'calm': True}}, stream)
+        state = {'parameters': checked(parameters), 'stage': 'settle', 'energies': [], 'settling': {'calm': True}}
+        run = cls.inFolder(output, state, damperreport.FILES, stream)
         run._build()
         return run
-
-    @staticmethod
-    def isInterrupted(output):
-        """Whether the folder holds an interrupted run."""
-        return checkpoint.exists(output)
-
-    @classmethod
-    def resume(cls, output, stream=sys.stderr):
-        """Take up the interrupted run in the folder `output`."""
-        return cls(output, checkpoint.load(output), stream)
 
     @property
     def ids(self):
         """Of the particles."""
         return range(*self.state['particles'])
-
-    def path(self, name):
-        return os.path.join(self.output, name)
-
-    def run(self):
-        """Do all stages that are left, write the results, return the summary.
-
-        :raises Interrupted: after Ctrl-C, with a checkpoint written
-        """
-        self._started = time.perf_counter()
-        with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
-            try:
-                while self.state['stage'] != 'done':
-                    self.stepper.begin(self.state['stage'])
-                    getattr(self, '_' + self.state['stage'])()
-            except Interrupted:
-                self._count()
-                self.state['stepsLeft'] = self.stepper.left
-                checkpoint.save(self.output, self.state)
-                raise
-        return self.summary
 
     @property
     def transientPeriods(self):
@@ -134,7 +82,6 @@ class DamperRun:
         if self.ids:
             criterion = RestCriterion(self.ids, self.state['supports'], QUIET, SUPPORT, self.state['settling'])
             self.state['settled'] = settle(self.stepper, criterion, self.parameters['settlingTime'])
-        self._count()
         self.state['stage'] = 'release'
 
     def _release(self):
@@ -162,24 +109,11 @@ class DamperRun:
         while len(energies) < self.transientPeriods + self.parameters['periods']:
             self.stepper.run(self.stepsPerPeriod)
             energies.append(dict(O.energy.items()))
-        self._count()
         self.state['stage'] = 'report'
 
     def _report(self):
         self.summary = damperreport.write(self)
-        checkpoint.remove(self.output)  # the run is done: a checkpoint of it would only mislead
         self.state['stage'] = 'done'
-
-    def _count(self):
-        """Add to the totals of a run that may have been interrupted: time taken, solver's counters."""
-        now = time.perf_counter()
-        self.state['seconds'] += now - self._started
-        if self.state['stage'] == 'drive':
-            self.state['driveSeconds'] += now - self._started
-        self._started = now
-        solver = Counter(self.state['solver'])
-        solver.update(solverCounters(reset=True))
-        self.state['solver'] = dict(solver)
 
 
 def alongAxis(parameters, value):

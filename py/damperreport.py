@@ -51,7 +51,7 @@ def summary(run, measured):
         'versions': results.versions(),
         'threads': O.numThreads,
         'driveSteps': len(energies) * run.stepsPerPeriod,
-        'driveSeconds': state['driveSeconds'],
+        'driveSeconds': state['stageSeconds']['drive'],
         'wallSeconds': state['seconds'],
     }
 
