@@ -13,7 +13,7 @@ from .bodies import SHAPES, particleShape
 from .engines import LAWS
 from .filling import DEEP_FRACTION
 from .materials import elastoplasticMat, materialAt, properties
-from .parameters import Parameter
+from .parameterlist import Parameter, between, count, oneOf, optional, within
 from .restitution import collisionDuration, normalDampingFor
 
 BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
@@ -21,67 +21,47 @@ STARTS = ('steady', 'rest')
 OF_THE_MATERIAL = ('density', 'young', 'poisson')  # parameters that the material gives unless they are given themselves
 
 
-def _optional(check):
-    return lambda name, value: None if value is None else check(name, value)
-
-
-def _oneOf(choices):
-    return lambda name, value: checks.oneOf(name, value, choices)
-
-
-def _between(low, high):
-    return lambda name, value: checks.above(name, value, low, high)
-
-
-def _within(low, high, highIncluded=True):
-    return lambda name, value: checks.within(name, value, low, high, highIncluded)
-
-
-def _count(least):
-    return lambda name, value: checks.wholeNumber(name, value, least)
-
-
 PARAMETERS = (
-    Parameter('shape', 'sphere', '', _oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BOX),
-    Parameter('n1', None, '', _optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BOX),
-    Parameter('n2', None, '', _optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BOX),
+    Parameter('shape', 'sphere', '', oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BOX),
+    Parameter('n1', None, '', optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BOX),
+    Parameter('n2', None, '', optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BOX),
     Parameter('aspect', 1.0, '', checks.positive, 'c/a, for ellipsoid, cylinder and block', BOX),
-    Parameter('particles', 2000, '', _count(0), 'number of particles', BOX),
+    Parameter('particles', 2000, '', count(0), 'number of particles', BOX),
     Parameter('radius', 1e-3, 'm', checks.positive, 'mean radius of the spheres that have the particles\' volumes', BOX),
-    Parameter('radiusSpread', 0.01, '', _within(0, 1, False), 'radii lie within (1 - spread, 1 + spread) times radius: normally distributed with '
+    Parameter('radiusSpread', 0.01, '', within(0, 1, False), 'radii lie within (1 - spread, 1 + spread) times radius: normally distributed with '
               'a third of that as standard deviation, and cut', BOX),
-    Parameter('particleMass', None, 'kg', _optional(checks.positive), 'total mass of the particles, instead of what their density gives', BOX),
+    Parameter('particleMass', None, 'kg', optional(checks.positive), 'total mass of the particles, instead of what their density gives', BOX),
     Parameter('boxWidth', 0.042, 'm', checks.positive, 'inner size of the box along x', BOX),
     Parameter('boxDepth', 0.042, 'm', checks.positive, 'the same along y', BOX),
     Parameter('boxHeight', 0.024, 'm', checks.positive, 'the same along z', BOX),
-    Parameter('law', 'elastoplastic', '', _oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
+    Parameter('law', 'elastoplastic', '', oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
     Parameter('material', 'aluminium-2024-T351', '', materialAt, 'of particles and box: a shipped material, or a material file', BOX),
-    Parameter('density', None, 'kg/m3', _optional(checks.positive), 'density of the particles, instead of the material\'s', BOX),
-    Parameter('young', None, 'Pa', _optional(checks.positive), 'Young\'s modulus of particles and box, instead of the material\'s', BOX),
-    Parameter('poisson', None, '', _optional(_between(-1, 0.5)), 'Poisson\'s ratio of the same, instead of the material\'s', BOX),
+    Parameter('density', None, 'kg/m3', optional(checks.positive), 'density of the particles, instead of the material\'s', BOX),
+    Parameter('young', None, 'Pa', optional(checks.positive), 'Young\'s modulus of particles and box, instead of the material\'s', BOX),
+    Parameter('poisson', None, '', optional(between(-1, 0.5)), 'Poisson\'s ratio of the same, instead of the material\'s', BOX),
     Parameter('friction', 0.5, '', checks.notNegative, 'coefficient of sliding friction of the same', BOX),
     Parameter('restitution', 0.5, '', checks.finite, 'restitution coefficient of the viscous normal force, from which its damping follows', BOX),
-    Parameter('tangentialDamping', None, '', _optional(checks.notNegative), 'Ct of equation (12), instead of the normal one\'s value', BOX),
+    Parameter('tangentialDamping', None, '', optional(checks.notNegative), 'Ct of equation (12), instead of the normal one\'s value', BOX),
     Parameter('rollingFriction', 0.002, '', checks.notNegative, 'mu_r of equation (13)', BOX),
     Parameter('rollingDamping', 0.3, '', checks.notNegative, 'damping of rolling as a part of the critical one (elastoplastic law)', BOX),
     Parameter('gravity', 9.81, 'm/s2', checks.positive, 'acceleration of gravity, along -z', BOX),
-    Parameter('softening', 1.0, '', _within(1, 1e4), 'Young\'s modulus is divided by this, for longer time steps', BOX),
+    Parameter('softening', 1.0, '', within(1, 1e4), 'Young\'s modulus is divided by this, for longer time steps', BOX),
     Parameter('settlingTime', 0.15, 's', checks.positive, 'simulated time after which the drive begins in any case', BOX),
     Parameter('boxMass', 0.3, 'kg', checks.positive, 'mass of the box', DRIVE),
     Parameter('stiffness', 9720.0, 'N/m', checks.notNegative, 'of the spring', DRIVE),
     Parameter('dashpot', 0.0, 'N s/m', checks.notNegative, 'viscous damping of the box itself', DRIVE),
-    Parameter('axis', 'z', '', _oneOf(('x', 'y', 'z')), 'along which the box moves: z is along gravity', DRIVE),
+    Parameter('axis', 'z', '', oneOf(('x', 'y', 'z')), 'along which the box moves: z is along gravity', DRIVE),
     Parameter('forceAmplitude', 9.72, 'N', checks.positive, 'of the driving force', DRIVE),
     Parameter('frequency', 25.5, 'Hz', checks.positive, 'of the driving force', DRIVE),
-    Parameter('start', 'steady', '', _oneOf(STARTS), 'how the box begins: \'steady\', on the response of the empty box (that of the box with the '
+    Parameter('start', 'steady', '', oneOf(STARTS), 'how the box begins: \'steady\', on the response of the empty box (that of the box with the '
               'particles frozen to it where these are not thrown); \'rest\', from which it takes the free vibration long to die out', DRIVE),
     Parameter('transientTime', 1.0, 's', checks.notNegative, 'of the drive before the measurement, rounded up to whole periods', DRIVE),
-    Parameter('periods', 30, '', _count(2), 'of the drive that are measured', DRIVE),
-    Parameter('samples', 200, '', _count(20), 'records of the motion per period', DRIVE),
+    Parameter('periods', 30, '', count(2), 'of the drive that are measured', DRIVE),
+    Parameter('samples', 200, '', count(20), 'records of the motion per period', DRIVE),
     Parameter('stepsPerCollision', 20.0, '', checks.positive, 'time steps in an elastic collision of two of the smallest particles', DRIVE),
     Parameter('collisionSpeed', 1.0, 'm/s', checks.positive, 'their speed of approach', DRIVE),
-    Parameter('timeStepFraction', 0.3, '', _between(0, 1), 'time step over the critical one (14), at most', DRIVE),
-    Parameter('seed', 1, '', _count(0), 'seed of positions, orientations and sizes', BOX),
+    Parameter('timeStepFraction', 0.3, '', between(0, 1), 'time step over the critical one (14), at most', DRIVE),
+    Parameter('seed', 1, '', count(0), 'seed of positions, orientations and sizes', BOX),
 )
 
 

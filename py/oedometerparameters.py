@@ -10,7 +10,7 @@ from yade.wrapper import BreakableMat, CurvatureMat
 from . import checks
 from .bodies import SHAPES, particleShape
 from .filling import DEEP_FRACTION
-from .parameters import Parameter
+from .parameterlist import Parameter, between, count, oneOf, optional, within
 from .restitution import normalDampingFor
 
 BED, TEST = 'bed', 'test'  # scopes: of the bed, and of what is done to it
@@ -20,40 +20,20 @@ CRITERIA = ('force', 'octahedral')
 LOOSE_FRACTION = 0.5  # no bed that was rained in is looser: for the container's height
 
 
-def _optional(check):
-    return lambda name, value: None if value is None else check(name, value)
-
-
-def _oneOf(choices):
-    return lambda name, value: checks.oneOf(name, value, choices)
-
-
-def _between(low, high):
-    return lambda name, value: checks.above(name, value, low, high)
-
-
-def _within(low, high, highIncluded=True):
-    return lambda name, value: checks.within(name, value, low, high, highIncluded)
-
-
-def _count(least):
-    return lambda name, value: checks.wholeNumber(name, value, least)
-
-
 PARAMETERS = (
-    Parameter('shape', 'sphere', '', _oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BED),
-    Parameter('n1', None, '', _optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BED),
-    Parameter('n2', None, '', _optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BED),
+    Parameter('shape', 'sphere', '', oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BED),
+    Parameter('n1', None, '', optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BED),
+    Parameter('n2', None, '', optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BED),
     Parameter('aspect', 1.0, '', checks.positive, 'c/a, for ellipsoid, cylinder and block', BED),
-    Parameter('particles', 1500, '', _count(1), 'number of particles', BED),
+    Parameter('particles', 1500, '', count(1), 'number of particles', BED),
     Parameter('smallestDiameter', 0.02, 'm', checks.positive, 'sizes (diameters of the spheres of the particles\' volumes) are uniformly '
               'distributed by number, from this one ...', BED),
     Parameter('largestDiameter', 0.04, 'm', checks.positive, '... to this one', BED),
-    Parameter('container', 'box', '', _oneOf(CONTAINERS), 'box (of square section) or cylinder', BED),
+    Parameter('container', 'box', '', oneOf(CONTAINERS), 'box (of square section) or cylinder', BED),
     Parameter('width', 0.36, 'm', checks.positive, 'inner width of the box, or diameter of the cylinder', BED),
     Parameter('density', 2700.0, 'kg/m3', checks.positive, 'density of the particles', BED),
     Parameter('young', 2e9, 'Pa', checks.positive, 'Young\'s modulus of particles, container and plate', BED),
-    Parameter('poisson', 0.25, '', _between(-1, 0.5), 'Poisson\'s ratio of the same', BED),
+    Parameter('poisson', 0.25, '', between(-1, 0.5), 'Poisson\'s ratio of the same', BED),
     Parameter('friction', 0.5, '', checks.notNegative, 'coefficient of sliding friction between particles', BED),
     Parameter('wallFriction', 0.0, '', checks.notNegative, 'the same with container and plate', BED),
     Parameter('rollingFriction', 0.01, '', checks.notNegative, 'mu_r of equation (13)', BED),
@@ -62,10 +42,10 @@ PARAMETERS = (
     Parameter('gravity', 9.81, 'm/s2', checks.positive, 'acceleration of gravity, along -z', BED),
     Parameter('settlingTime', 2.0, 's', checks.positive, 'simulated time after which the rain counts as settled in any case', BED),
     Parameter('seatingStress', 1e4, 'Pa', checks.positive, 'axial stress under which the plate is put on; strain counts from there', BED),
-    Parameter('timeStepFraction', 0.3, '', _between(0, 1), 'time step over the critical one (14) of the smallest particle', BED),
-    Parameter('seed', 1, '', _count(0), 'seed of positions, orientations and sizes', BED),
-    Parameter('mode', 'cube', '', _oneOf(MODES), 'how particles break: ' + ', '.join(MODES), TEST),
-    Parameter('criterion', 'octahedral', '', _oneOf(CRITERIA), 'when: ' + ', '.join(CRITERIA), TEST),
+    Parameter('timeStepFraction', 0.3, '', between(0, 1), 'time step over the critical one (14) of the smallest particle', BED),
+    Parameter('seed', 1, '', count(0), 'seed of positions, orientations and sizes', BED),
+    Parameter('mode', 'cube', '', oneOf(MODES), 'how particles break: ' + ', '.join(MODES), TEST),
+    Parameter('criterion', 'octahedral', '', oneOf(CRITERIA), 'when: ' + ', '.join(CRITERIA), TEST),
     Parameter('characteristicStrength', 6e6, 'Pa', checks.positive, 'that the part 1/e of the particles of referenceSize survive', TEST),
     Parameter('referenceSize', 0.03, 'm', checks.positive, 'size of particles to which it belongs', TEST),
     Parameter('weibullModulus', 3.0, '', checks.positive, 'of the strengths\' scatter; strength goes as size^(-3/modulus)', TEST),
@@ -73,17 +53,17 @@ PARAMETERS = (
     Parameter('smallestFragment', 1e-3, 'm', checks.notNegative, 'no fragment is smaller (no width of one, if it is not a sphere): such a '
               'cut is drawn again', TEST),
     Parameter('cutExponent', 2.0, '', checks.positive, 'p of the cube\'s cut: u^p, u uniform', TEST),
-    Parameter('maxEvents', 100, '', _count(1), 'particles that break in one step, at most', TEST),
-    Parameter('breakageSeed', 1, '', _count(0), 'seed of strengths, cuts and orientations of the fragments', TEST),
+    Parameter('maxEvents', 100, '', count(1), 'particles that break in one step, at most', TEST),
+    Parameter('breakageSeed', 1, '', count(0), 'seed of strengths, cuts and orientations of the fragments', TEST),
     Parameter('inertialSize', 0.01, 'm', checks.positive, 'fragments of a smaller width get the inertia with which their critical time step is that '
               'of this width', TEST),
     Parameter('strainRate', 1.0, '1/s', checks.positive, 'largest axial strain rate', TEST),
     Parameter('inertialNumber', 2e-3, '', checks.positive, 'the plate is slower where the inertial number would be above', TEST),
-    Parameter('damping', 0.3, '', _within(0, 1, False), 'YADE\'s non-viscous damping', TEST),
+    Parameter('damping', 0.3, '', within(0, 1, False), 'YADE\'s non-viscous damping', TEST),
     Parameter('maxStress', 3e6, 'Pa', checks.positive, 'axial stress at which the test ends', TEST),
-    Parameter('maxStrain', 0.3, '', _between(0, 1), 'axial strain at which it ends', TEST),
-    Parameter('maxParticles', None, '', _optional(_count(1)), 'number of particles at which it ends', TEST),
-    Parameter('sampleStrain', 5e-4, '', _between(0, 1), 'strain between two records', TEST),
+    Parameter('maxStrain', 0.3, '', between(0, 1), 'axial strain at which it ends', TEST),
+    Parameter('maxParticles', None, '', optional(count(1)), 'number of particles at which it ends', TEST),
+    Parameter('sampleStrain', 5e-4, '', between(0, 1), 'strain between two records', TEST),
 )
 
 

@@ -3,7 +3,6 @@
 The defaults are the case of Wang & Ji, Acta Phys. Sin. 67, 094501 (2018) that their Fig. 10 shows for cubes and H = 2.5 cm.
 """
 import math
-from collections import namedtuple
 
 from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin
 
@@ -12,68 +11,32 @@ from .bodies import SHAPES, particleShape
 from .container import Container, checkCylinder
 from .filling import DEEP_FRACTION, DENSEST, GAP, SIDEWAYS, particleNumber
 from .impact import CALIBRATED_DENSITY, CLEARANCE, speedAt, surfaceSpeed
+from .parameterlist import Parameter, between, count, oneOf, optional, within
 from .settling import QUIET
 
-Parameter = namedtuple('Parameter', 'name default unit check help scope')
-Parameter.__doc__ = """A parameter of the study. `scope` is BED for those from which a bed is poured, IMPACT for those that may differ from impact to
-impact on the same bed."""
-BED, IMPACT = 'bed', 'impact'
-
-
-def _optional(check):
-    return lambda name, value: None if value is None else check(name, value)
-
-
-def _oneOfShapes(name, value):
-    return checks.oneOf(name, value, SHAPES)
-
-
-def _between(low, high):
-    return lambda name, value: checks.above(name, value, low, high)
-
-
-def _damping(name, value):
-    return checks.within(name, value, 0, 1, highIncluded=False)
-
-
-def _count(least):
-    return lambda name, value: checks.wholeNumber(name, value, least)
-
-
-def _fraction(name, value):
-    return checks.above(name, value, 0, 1 + 1e-12)
-
-
-def _softening(name, value):
-    return checks.within(name, value, 1, 1e4)
-
-
-def _share(name, value):
-    return checks.above(name, value, 0, 1)
-
-
+BED, IMPACT = 'bed', 'impact'  # scopes: of the bed, and of what may differ from impact to impact on the same bed
 LAW = Law2_ScGeom_CurvaturePhys_HertzMindlin()  # for its defaults
 
 PARAMETERS = (
-    Parameter('shape', 'cube', '', _oneOfShapes, 'shape of the particles: ' + ', '.join(SHAPES), BED),
-    Parameter('n1', None, '', _optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BED),
-    Parameter('n2', None, '', _optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BED),
+    Parameter('shape', 'cube', '', oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BED),
+    Parameter('n1', None, '', optional(checks.exponent), 'exponent along z, instead of the shape\'s own', BED),
+    Parameter('n2', None, '', optional(checks.exponent), 'exponent in the x-y plane, instead of the shape\'s own', BED),
     Parameter('aspect', 1.0, '', checks.positive, 'c/a, for ellipsoid, cylinder and block', BED),
     Parameter('radius', 5e-3, 'm', checks.positive, 'radius of the sphere that has the particle\'s volume', BED),
-    Parameter('radiusSpread', 0.0, '', _damping, 'radii are uniform within (1 - spread, 1 + spread) times radius; '
+    Parameter('radiusSpread', 0.0, '', within(0, 1, False), 'radii are uniform within (1 - spread, 1 + spread) times radius; '
               '0: equal masses', BED),
     Parameter('thickness', 0.025, 'm', checks.positive, 'thickness H of the bed to aim at; the result is measured', BED),
-    Parameter('particles', None, '', _optional(_count(1)), 'number of particles, instead of what thickness and '
+    Parameter('particles', None, '', optional(count(1)), 'number of particles, instead of what thickness and '
               'solidFraction give', BED),
-    Parameter('solidFraction', None, '', _optional(_between(0, DENSEST)), 'expected packing fraction of the bed, instead of an estimate from '
+    Parameter('solidFraction', None, '', optional(between(0, DENSEST)), 'expected packing fraction of the bed, instead of an estimate from '
               'its thickness', BED),
     Parameter('containerDiameter', 0.19, 'm', checks.positive, 'inner diameter of the rigid cylinder', BED),
     Parameter('containerHeight', 0.3, 'm', checks.positive, 'height of the rigid cylinder', BED),
     Parameter('density', 2500.0, 'kg/m3', checks.positive, 'density of the particles', BED),
     Parameter('young', 1e9, 'Pa', checks.positive, 'Young\'s modulus of particles, container and impactor', BED),
-    Parameter('poisson', 0.2, '', _between(-1, 0.5), 'Poisson\'s ratio of the same', BED),
+    Parameter('poisson', 0.2, '', between(-1, 0.5), 'Poisson\'s ratio of the same', BED),
     Parameter('friction', 0.4, '', checks.notNegative, 'coefficient of sliding friction of the same', BED),
-    Parameter('normalDamping', 0.1, '', _damping, 'Cn of equation (6)', BED),
+    Parameter('normalDamping', 0.1, '', within(0, 1, False), 'Cn of equation (6)', BED),
     Parameter('tangentialDamping', 0.1, '', checks.notNegative, 'Ct of equation (12)', BED),
     Parameter('rollingFriction', 0.002, '', checks.notNegative, 'mu_r of equation (13)', BED),
     Parameter('impactorDiameter', 0.05, 'm', checks.positive, 'diameter of the impactor, a sphere', IMPACT),
@@ -85,21 +48,21 @@ PARAMETERS = (
     Parameter('rainSpeed', 0.5, 'm/s', checks.notNegative, 'initial downward speed of the particles', BED),
     Parameter('rainSideways', SIDEWAYS, '', checks.notNegative, 'largest horizontal speed of the rain over rainSpeed', BED),
     Parameter('rainGap', GAP, '', checks.notNegative, 'clear distance of the particles\' bounding spheres in the rain, over their diameter', BED),
-    Parameter('softening', 100.0, '', _softening, 'Young\'s modulus is divided by this while the bed is poured', BED),
-    Parameter('timeStepFraction', 0.1, '', _fraction, 'time step over the critical one (14); the paper: 0.1 at most', BED),
-    Parameter('dt', None, 's', _optional(checks.positive), 'time step of the impact, instead of timeStepFraction', IMPACT),
+    Parameter('softening', 100.0, '', within(1, 1e4), 'Young\'s modulus is divided by this while the bed is poured', BED),
+    Parameter('timeStepFraction', 0.1, '', between(0, 1 + 1e-12), 'time step over the critical one (14); the paper: 0.1 at most', BED),
+    Parameter('dt', None, 's', optional(checks.positive), 'time step of the impact, instead of timeStepFraction', IMPACT),
     Parameter('restEnergy', QUIET, '', checks.positive, 'kinetic energy per particle over m g d below which the poured bed is at rest', BED),
-    Parameter('thicknessTolerance', 0.03, '', _fraction, 'the bed is poured again with another number of particles until its thickness is '
+    Parameter('thicknessTolerance', 0.03, '', between(0, 1 + 1e-12), 'the bed is poured again with another number of particles until its thickness is '
               'within this part of the one aimed at; not where particles is given', BED),
     Parameter('maxSettlingTime', 3.0, 's', checks.positive, 'simulated time after which pouring ends in any case', BED),
     Parameter('impactorX', 0.0, 'm', checks.finite, 'where it falls: distance from the container\'s axis along x', IMPACT),
     Parameter('impactorY', 0.0, 'm', checks.finite, 'the same along y', IMPACT),
-    Parameter('baseYoung', None, 'Pa', _optional(checks.positive), 'Young\'s modulus of the base in the impact, instead of young', IMPACT),
-    Parameter('overlapLimit', LAW.overlapLimit, '', _share, 'bound of the curvatures in the impact, see '
+    Parameter('baseYoung', None, 'Pa', optional(checks.positive), 'Young\'s modulus of the base in the impact, instead of young', IMPACT),
+    Parameter('overlapLimit', LAW.overlapLimit, '', between(0, 1), 'bound of the curvatures in the impact, see '
               'Law2_ScGeom_CurvaturePhys_HertzMindlin', IMPACT),
     Parameter('leverArms', LAW.leverArms, '', checks.boolean, 'whether m* of the normal damping counts lever arms in the impact, see there', IMPACT),
     Parameter('maxImpactTime', 0.05, 's', checks.positive, 'simulated time after which the impact ends in any case', IMPACT),
-    Parameter('seed', 1, '', _count(0), 'seed of positions, orientations and sizes', BED),
+    Parameter('seed', 1, '', count(0), 'seed of positions, orientations and sizes', BED),
 )
 
 

@@ -9,10 +9,11 @@ import argparse
 import os
 import sys
 
-from yade.superquadric import Interrupted, results
+from yade.superquadric import Interrupted
 from yade.superquadric.damper import DamperRun
 from yade.superquadric.damperparameters import PARAMETERS
 from yade.superquadric.damperreport import FILES, text
+from yade.superquadric.parameterlist import addOptions, fromFile, given
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
@@ -29,21 +30,8 @@ def parser():
     result.add_argument('--noPictures', action='store_true', help='draw none')
     result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
     result.add_argument('--quiet', action='store_true', help='no progress')
-    for parameter in PARAMETERS:
-        unit = f' [{parameter.unit}]' if parameter.unit else ''
-        default = '' if parameter.default is None else f' (default: {parameter.default})'
-        # Values stay text here: the study's own checks turn them into numbers and name what is wrong.
-        result.add_argument('--' + parameter.name, metavar='VALUE', default=argparse.SUPPRESS,
-                            help=(parameter.help + unit + default).replace('%', '%%'))
+    addOptions(result, PARAMETERS)
     return result
-
-
-def fromFile(path):
-    """Parameters from a JSON file."""
-    content = results.readJson(path) if path else {}
-    if not isinstance(content, dict):
-        raise ValueError(f'parameters = {path!r}: must hold one object {{name: value}}')
-    return content
 
 
 def start(options):
@@ -51,9 +39,7 @@ def start(options):
     stream = None if options.quiet else sys.stderr
     if options.resume or (options.takeUp and DamperRun.isInterrupted(options.output)):
         return DamperRun.resume(options.output, stream)
-    names = {parameter.name for parameter in PARAMETERS}
-    given = {name: value for name, value in vars(options).items() if name in names}
-    return DamperRun.begin({**fromFile(options.parameters), **given}, options.output, stream)
+    return DamperRun.begin({**fromFile(options.parameters), **given(options, PARAMETERS)}, options.output, stream)
 
 
 def main():

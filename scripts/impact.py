@@ -11,7 +11,8 @@ import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun, report, results
+from yade.superquadric import Interrupted, ImpactRun, report
+from yade.superquadric.parameterlist import addOptions, fromFile, given
 from yade.superquadric.parameters import PARAMETERS, defaults
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
@@ -31,12 +32,7 @@ def parser():
     result.add_argument('--noPictures', action='store_true', help='draw none (saves 3 s)')
     result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
     result.add_argument('--quiet', action='store_true', help='no progress')
-    for parameter in PARAMETERS:
-        unit = f' [{parameter.unit}]' if parameter.unit else ''
-        default = '' if parameter.default is None else f' (default: {parameter.default})'
-        # Values stay text here: the study's own checks turn them into numbers and name what is wrong.
-        result.add_argument('--' + parameter.name, metavar='VALUE', default=argparse.SUPPRESS,
-                            help=(parameter.help + unit + default).replace('%', '%%'))
+    addOptions(result, PARAMETERS)
     return result
 
 
@@ -49,14 +45,6 @@ def fromTable():
     utils.readParamsFromTable(unknownOk=True, **defaults())
     from yade.params import table
     return {name: getattr(table, name) for name in columns}, O.tags['description']
-
-
-def fromFile(path):
-    """Parameters from a JSON file."""
-    content = results.readJson(path) if path else {}
-    if not isinstance(content, dict):
-        raise ValueError(f'parameters = {path!r}: must hold one object {{name: value}}')
-    return content
 
 
 def start(options, values):
@@ -76,9 +64,8 @@ def start(options, values):
 
 def main():
     options = parser().parse_args(sys.argv[1:])
-    names = {parameter.name for parameter in PARAMETERS}
     try:
-        run, output = start(options, {name: value for name, value in vars(options).items() if name in names})
+        run, output = start(options, given(options, PARAMETERS))
         run.pictures = not options.noPictures
     except (OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)

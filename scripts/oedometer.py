@@ -10,10 +10,11 @@ import argparse
 import os
 import sys
 
-from yade.superquadric import Interrupted, oedometercomparison, results
+from yade.superquadric import Interrupted, oedometercomparison
 from yade.superquadric.oedometer import OedometerRun
 from yade.superquadric.oedometerparameters import PARAMETERS
 from yade.superquadric.oedometerreport import FILES, PICTURES, text
+from yade.superquadric.parameterlist import addOptions, fromFile, given
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
@@ -34,22 +35,13 @@ def parser():
     result.add_argument('--noPictures', action='store_true', help='draw none')
     result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
     result.add_argument('--quiet', action='store_true', help='no progress')
-    for parameter in PARAMETERS:
-        unit = f' [{parameter.unit}]' if parameter.unit else ''
-        default = '' if parameter.default is None else f' (default: {parameter.default})'
-        # Values stay text here: the test's own checks turn them into numbers and name what is wrong.
-        result.add_argument('--' + parameter.name, metavar='VALUE', default=argparse.SUPPRESS,
-                            help=(parameter.help + unit + default).replace('%', '%%'))
+    addOptions(result, PARAMETERS)
     return result
 
 
-def given(options):
-    """Parameters from file and command line."""
-    content = results.readJson(options.parameters) if options.parameters else {}
-    if not isinstance(content, dict):
-        raise ValueError(f'parameters = {options.parameters!r}: must hold one object {{name: value}}')
-    names = {parameter.name for parameter in PARAMETERS}
-    return {**content, **{name: value for name, value in vars(options).items() if name in names}}
+def parametersOf(options):
+    """From file and command line."""
+    return {**fromFile(options.parameters), **given(options, PARAMETERS)}
 
 
 def checkOptions(options):
@@ -66,8 +58,8 @@ def start(options, stream):
     if options.resume or (options.takeUp and OedometerRun.isInterrupted(options.output)):
         return OedometerRun.resume(options.output, stream)
     if options.bed:
-        return OedometerRun.onBed(options.bed, given(options), options.output, stream)
-    return OedometerRun.begin(given(options), options.output, stream)
+        return OedometerRun.onBed(options.bed, parametersOf(options), options.output, stream)
+    return OedometerRun.begin(parametersOf(options), options.output, stream)
 
 
 def single(options, stream):
@@ -85,7 +77,7 @@ def single(options, stream):
 def comparison(options, stream):
     """Several tests on one bed."""
     modes = oedometercomparison.modesOf(options.modes)
-    print(oedometercomparison.text(oedometercomparison.compare(modes, given(options), options.output, stream, not options.noPictures)))
+    print(oedometercomparison.text(oedometercomparison.compare(modes, parametersOf(options), options.output, stream, not options.noPictures)))
     print(f'results    {options.output}/{oedometercomparison.TABLE}, and a folder for each mode')
 
 

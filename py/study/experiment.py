@@ -16,7 +16,7 @@ class Experiment:
     name: str                 # in study files and plans
     script: str               # of scripts/
     folder: str               # of the study's folder: where the runs are; also what they are called
-    parameters: tuple         # of `parameters.Parameter`
+    parameters: tuple         # of `parameterlist.Parameter`
     bedScope: str             # of the parameters that make the bed
     bedJobs: bool             # whether beds are jobs of their own
     checked: Callable         # (values) -> complete parameters; ValueError
