@@ -1,33 +1,31 @@
-"""A bed at rest in a folder of its own, for any number of impacts: YADE's scene, the particles before the impact, and the state of the run
-that poured it, written last. All three or no bed."""
+"""A bed at rest in a folder of its own, for any number of runs: YADE's scene, the particles, and the state of the run that made it, written
+last. All three or no bed."""
 import os
 
 from yade import O
 
 from . import results
-from .parameters import bedPart
-from .report import BEFORE
 
-SCENE, STATE = 'bed.yade.gz', 'bed.json'
+SCENE, STATE, BEFORE = 'bed.yade.gz', 'bed.json', 'before.npz'
 
 
-def save(folder, state, particles=BEFORE):
-    """Write the scene, then the `state`; the file with the `particles` must be there already."""
+def save(folder, state):
+    """Write the scene, then the `state`; the file with the particles must be there already."""
     O.save(os.path.join(folder, SCENE))
     results.flush(os.path.join(folder, SCENE))
-    results.flush(os.path.join(folder, particles))
+    results.flush(os.path.join(folder, BEFORE))
     results.writeJson(os.path.join(folder, STATE), state)
 
 
-def read(folder, part=bedPart, particles=BEFORE):
+def read(folder, part):
     """The state of the finished bed in the `folder`.
 
-    :param part: function that picks the bed's own from a complete dict of parameters; :param particles: name of the file with them
+    :param part: function that picks the bed's own from a complete dict of parameters
     :raises ValueError: there is no bed, a damaged one, or one of a version with other parameters
     """
     if not os.path.exists(os.path.join(folder, STATE)):
         raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({STATE})')
-    missing = [name for name in (SCENE, particles) if not os.path.exists(os.path.join(folder, name))]
+    missing = [name for name in (SCENE, BEFORE) if not os.path.exists(os.path.join(folder, name))]
     if missing:
         raise ValueError(f'bed = {folder!r}: {missing[0]} is missing')
     try:

@@ -4,16 +4,15 @@ results, in stages that can be interrupted and taken up again.
     OedometerRun.begin({'mode': 'cube'}, 'results/cube').run()
 """
 import math
-import os
 import random
-import shutil
 import sys
 
 from yade import O, utils
 from yade.wrapper import BreakageEngine, NewtonIntegrator, Sphere, Superquadric
 
-from . import finishedbed, oedometerreport
-from .container import Container, boxContainer, cylinderContainer, setHeight
+from . import oedometerreport
+from .bedrun import BedRun
+from .container import boxContainer, cylinderContainer, setHeight
 from .engines import engine, superquadricEngines
 from .filling import rainFilling
 from .oedometerparameters import (
@@ -21,7 +20,6 @@ from .oedometerparameters import (
 from .oedometerrecord import Averages, row, strain
 from .settling import RestCriterion, settle
 from .snapshot import Snapshot, boxHalfHeights
-from .stagedrun import StagedRun
 
 RAIN_GAP = 0.05             # clear distance of the particles at the start, over their diameter: they have little way to fall
 QUIET, SUPPORT = 1e-3, 0.1  # at rest before the plate is put on, see RestCriterion: the plate moves everything again
@@ -33,13 +31,15 @@ SEATING_DAMPING = 0.3       # non-viscous, from the rain to the end of the hold:
 MARGIN = 0.2                # of the collider over the smallest half size, see superquadricEngines
 
 
-class OedometerRun(StagedRun):
+class OedometerRun(BedRun):
     """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
     `run(until='prepare')` leaves the finished bed in the folder, for any number of tests.
     """
 
     STAGES = ('settle', 'seat', 'hold', 'prepare', 'compress', 'report')
+    FILES = oedometerreport.FILES
+    checked, bedPart = staticmethod(checked), staticmethod(bedPart)
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -48,38 +48,10 @@ class OedometerRun(StagedRun):
 
         :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
-        parameters = checked(parameters)
-        run = cls.inFolder(output, {'parameters': parameters, 'stage': 'settle', 'settling': {'calm': True}}, oedometerreport.FILES, stream)
+        state = {'parameters': checked(parameters), 'stage': 'settle', 'settling': {'calm': True}}
+        run = cls.inFolder(output, state, stream=stream)
         run._build()
         return run
-
-    @classmethod
-    def onBed(cls, bed, parameters, output, stream=sys.stderr):
-        """Take the finished bed in the folder `bed`; otherwise like `begin`.
-
-        :param parameters: where they belong to the bed, they must be its own
-        :raises ValueError: there is no bed, a damaged one, or another one
-        """
-        state = finishedbed.read(bed, bedPart, oedometerreport.BEFORE)
-        parameters = checked({**state['parameters'], **parameters})
-        finishedbed.requireSame(bed, bedPart(parameters), bedPart(state['parameters']))
-        if os.path.realpath(output) == os.path.realpath(bed):
-            raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
-        cls.checkFolder(output)
-        finishedbed.load(bed)
-        run = cls.inFolder(output, {**state, 'parameters': parameters}, oedometerreport.FILES, stream)
-        shutil.copyfile(os.path.join(bed, oedometerreport.BEFORE), run.path(oedometerreport.BEFORE))
-        return run
-
-    def run(self, until='done'):
-        summary = super().run(until)
-        if until == 'prepare':
-            finishedbed.save(self.output, self.state, oedometerreport.BEFORE)
-        return summary
-
-    @property
-    def container(self):
-        return Container(**self.state['container'])
 
     @property
     def plate(self):

@@ -7,10 +7,11 @@ import numpy as np
 from . import results
 from .bedgeometry import particleVolumes
 from .contactstatistics import Contacts
+from .finishedbed import BEFORE
 from .grading import Grading
 from .snapshot import Snapshot
 
-SUMMARY, BEFORE = 'summary.json', 'before.npz'
+SUMMARY = 'summary.json'
 STRESS, EVENTS, PARTICLES, GRADING, NUMBERS, FORCES = TABLES = (
     'stress.csv', 'events.csv', 'particles.csv', 'grading.csv', 'contacts.csv', 'forces.csv')
 

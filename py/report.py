@@ -1,14 +1,14 @@
 """The results of a finished run: summary, time series, pictures."""
 from yade import O
 
-from . import plots, results
+from . import finishedbed, plots, results
 from .impact import Pulse, surfaceSpeed
 from .engines import criticalTimeStep
 from .parameters import shapeOf
 from .snapshot import Snapshot
 
-RECORD, SUMMARY, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
-    'force.csv', 'summary.json', 'before.npz', 'after.npz', 'force.png', 'bed.png')
+SUMMARY, RECORD, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
+    'summary.json', 'force.csv', finishedbed.BEFORE, 'after.npz', 'force.png', 'bed.png')
 
 
 def write(run):

@@ -1,43 +1,39 @@
 """One bed and the impact on it, from parameters to results, in stages that can be interrupted and taken up again."""
 import math
-import os
-import shutil
 import sys
-import time
-from collections import Counter
 
 from yade import O
 from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import checkpoint, finishedbed, report, results
+from . import report, results
 from .bedgeometry import measureBed
-from .container import Container, setHeight
-from .engines import engine, solverCounters
+from .bedrun import BedRun
+from .container import setHeight
+from .engines import engine
 from .impact import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
 from .parameters import bedPart, checked, criticalImpactStep, materialOf, particleCount
 from .pouring import nextCount, rain
 from .settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, setYoung, settle, stiffen
 from .snapshot import Snapshot
-from .stepping import Interrupted, Stepper
+from .stepping import Interrupted
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
 
 
-class ImpactRun:
+class ImpactRun(BedRun):
     """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
-    :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
-    :ivar pictures: whether to draw them at the end (3 s)
+    `run(until='prepare')` leaves the finished bed in the folder, for any number of impacts. A ValueError (the impactor cannot start where it should,
+    no blow reached the base) leaves checkpoint and data as Ctrl-C does.
     """
 
     STAGES = ('pour', 'stiffen', 'rest', 'measure', 'prepare', 'static', 'impact', 'report')
+    SAVED = (Interrupted, ValueError)
+    FILES = report.FILES
+    checked, bedPart = staticmethod(checked), staticmethod(bedPart)
 
-    def __init__(self, output, state, stream=sys.stderr):
-        self.output, self.state, self.stream = output, state, stream
-        self.parameters = state['parameters']
-        self.summary = self.recorder = None
-        self.pictures = True
+    recorder = None
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -47,102 +43,25 @@ class ImpactRun:
         :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
         parameters = checked(parameters)
-        run = cls._inFolder(output, {'parameters': parameters, 'seconds': 0.0, 'solver': {}, 'pours': []}, stream)
+        run = cls.inFolder(output, {'parameters': parameters, 'pours': []}, stream=stream)
         run._build(particleCount(parameters))
         return run
-
-    @classmethod
-    def onBed(cls, bed, parameters, output, stream=sys.stderr):
-        """Take a finished bed (the folder `bed`, see `run`) instead of pouring one; otherwise like `begin`.
-
-        :param parameters: where they belong to the bed, they must be its own
-        :raises ValueError: there is no bed, a damaged one, or another one
-        """
-        state = finishedbed.read(bed)
-        parameters = checked({**state['parameters'], **parameters})
-        finishedbed.requireSame(bed, bedPart(parameters), bedPart(state['parameters']))
-        if os.path.realpath(output) == os.path.realpath(bed):
-            raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
-        cls._checkFolder(output)
-        finishedbed.load(bed)
-        run = cls._inFolder(output, {**state, 'parameters': parameters, 'seconds': 0.0}, stream)
-        shutil.copyfile(os.path.join(bed, report.BEFORE), run.path(report.BEFORE))
-        return run
-
-    @staticmethod
-    def _checkFolder(output):
-        if checkpoint.exists(output):
-            raise ValueError(f'output = {output!r}: holds an interrupted run; use --resume or another folder')
-
-    @classmethod
-    def _inFolder(cls, output, state, stream):
-        cls._checkFolder(output)
-        os.makedirs(output, exist_ok=True)
-        checkpoint.remove(output)
-        run = cls(output, state, stream)
-        # First those that say that the others are complete.
-        run._remove((finishedbed.STATE, report.SUMMARY, finishedbed.SCENE, *report.FILES))
-        return run
-
-    @staticmethod
-    def isInterrupted(output):
-        """Whether the folder holds an interrupted run."""
-        return checkpoint.exists(output)
-
-    @classmethod
-    def resume(cls, output, stream=sys.stderr):
-        """Take up the interrupted run in the folder `output`."""
-        return cls(output, checkpoint.load(output), stream)
-
-    @property
-    def container(self):
-        return Container(**self.state['container'])
 
     @property
     def ids(self):
         first, last = self.state['particles']
         return range(first, last + 1)
 
-    def path(self, name):
-        return os.path.join(self.output, name)
-
-    def run(self, until='done'):
-        """Do all stages that are left, write the results, return the summary.
-
-        :param until: a later one of `STAGES`: stop before it, leave a checkpoint for `resume`, return None. Before `prepare` the bed is
-            finished, and is left for `onBed` instead
-        :raises Interrupted: after Ctrl-C, with checkpoint and data so far written
-        :raises ValueError: the impactor cannot start where it should, or no blow reached the base; written as well
-        """
-        self._started = time.perf_counter()
-        with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
-            try:
-                while self.state['stage'] != until:
-                    self.stepper.begin(self.state['stage'])
-                    getattr(self, '_' + self.state['stage'])()
-            except (Interrupted, ValueError):
-                self.save()
-                raise
-            if until == 'prepare':
-                self.saveBed()
-            elif until != 'done':
-                self.save()
-        return self.summary
-
-    def saveBed(self):
-        """Write the bed at rest (stage `prepare`) for `onBed`; the run is done then."""
-        self._count()
-        self.state['bed']['wallSeconds'] = self.state['seconds']
-        finishedbed.save(self.output, self.state)
-        checkpoint.remove(self.output)
+    def leave(self, until):
+        if until == self.BED:
+            self.state['bed']['wallSeconds'] = self.state['seconds']
+        super().leave(until)
 
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
-        self._count()
-        self.state['stepsLeft'] = self.stepper.left
         if self.recorder is not None:
             self._writeRecord()
-        checkpoint.save(self.output, self.state)
+        super().save()
 
     def _plan(self):
         """Expected steps of the stages, for the estimate of the time left."""
@@ -184,7 +103,7 @@ class ImpactRun:
         if count is None:
             self.state['stage'] = 'stiffen' if self.parameters['softening'] > 1 else 'rest'
         else:
-            self._count()
+            self.count('pour')  # the new scene's solvers begin at zero
             self._build(count)
             self.stepper.plan['pour'] = self._plan()['pour']
 
@@ -258,9 +177,7 @@ class ImpactRun:
 
     def _report(self):
         self._openRecord()
-        self._count()
         self.summary = report.write(self)
-        checkpoint.remove(self.output)  # the run is done: a checkpoint of it would only mislead
         self.state['stage'] = 'done'
 
     def _openRecord(self):
@@ -272,20 +189,6 @@ class ImpactRun:
 
     def _writeRecord(self):
         results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
-
-    def _count(self):
-        """Add to the totals of a run that may have been interrupted: time taken, solver's counters."""
-        now = time.perf_counter()
-        self.state['seconds'] += now - self._started
-        self._started = now
-        solver = Counter(self.state['solver'])
-        solver.update(solverCounters(reset=True))
-        self.state['solver'] = dict(solver)
-
-    def _remove(self, names):
-        for name in names:
-            if os.path.exists(self.path(name)):
-                os.remove(self.path(name))
 
     def _say(self, text):
         self.stepper.say(text)

@@ -18,6 +18,7 @@ class StagedRun:
     """
 
     STAGES = ()
+    SAVED = (Interrupted,)  # what leaves a checkpoint when it ends the run
 
     def __init__(self, output, state, stream=sys.stderr):
         self.output, self.state, self.stream = output, state, stream
@@ -40,7 +41,7 @@ class StagedRun:
         cls.checkFolder(output)
         os.makedirs(output, exist_ok=True)
         checkpoint.remove(output)
-        run = cls(output, {**state, 'seconds': 0.0, 'stageSeconds': {}, 'solver': {}}, stream)
+        run = cls(output, {'seconds': 0.0, 'stageSeconds': {}, 'solver': {}, **state}, stream)
         for name in files:
             if os.path.exists(run.path(name)):
                 os.remove(run.path(name))
@@ -60,8 +61,9 @@ class StagedRun:
         return os.path.join(self.output, name)
 
     def run(self, until='done'):
-        """Do all stages that are left, up to `until`; return the summary, None before it is made.
+        """Do all stages that are left, write the results, return the summary.
 
+        :param until: a later one of STAGES: stop before it, leave a checkpoint for `resume`, return None
         :raises Interrupted: after Ctrl-C, with a checkpoint written
         """
         self._started = time.perf_counter()
@@ -72,13 +74,24 @@ class StagedRun:
                     self.stepper.begin(stage)
                     getattr(self, '_' + stage)()
                     self.count(stage)
-            except Interrupted:
+            except self.SAVED:
                 self.count(stage)
-                self.state['stepsLeft'] = self.stepper.left
-                checkpoint.save(self.output, self.state)
+                self.save()
                 raise
-        checkpoint.remove(self.output)  # what is done needs none: it would only mislead
+            self.leave(until)
         return self.summary
+
+    def leave(self, until):
+        """The folder as it should be when the stages before `until` are done."""
+        if until == 'done':
+            checkpoint.remove(self.output)  # what is done needs none: it would only mislead
+        else:
+            self.save()
+
+    def save(self):
+        """Write a checkpoint, for `resume`."""
+        self.state['stepsLeft'] = self.stepper.left
+        checkpoint.save(self.output, self.state)
 
     def _plan(self):
         """Expected steps of the stages that are left, {stage: steps}, for the estimate of the time left."""
