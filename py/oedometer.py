@@ -17,7 +17,7 @@ from .container import Container, boxContainer, cylinderContainer, setHeight
 from .engines import engine, superquadricEngines
 from .filling import rainFilling
 from .oedometerparameters import (
-    bedPart, bedTimeStep, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep)
+    bedPart, bedTimeStep, breakageSeed, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep)
 from .oedometerrecord import Averages, row, strain
 from .settling import RestCriterion, settle
 from .snapshot import Snapshot, boxHalfHeights
@@ -67,7 +67,8 @@ class OedometerRun(StagedRun):
             raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
         cls.checkFolder(output)
         finishedbed.load(bed)
-        run = cls.inFolder(output, {**state, 'parameters': parameters}, oedometerreport.FILES, stream)
+        seconds = sum(state['stageSeconds'].values())
+        run = cls.inFolder(output, {**state, 'parameters': parameters, 'bedSeconds': seconds}, oedometerreport.FILES, stream)
         shutil.copyfile(os.path.join(bed, oedometerreport.BEFORE), run.path(oedometerreport.BEFORE))
         return run
 
@@ -165,10 +166,11 @@ class OedometerRun(StagedRun):
             O.materials['particles'].updateAttrs(strengthOf(p))
             O.engines = [BreakageEngine(criterion=p['criterion'], mode=p['mode'], cutExponent=p['cutExponent'], maxEvents=p['maxEvents'],
                                         smallestFragment=p['smallestFragment'], inertialSize=p['inertialSize'],
-                                        seed=p['breakageSeed'])] + O.engines
+                                        seed=breakageSeed(p))] + O.engines
         O.dt = testTimeStep(p)
         O.trackEnergy = True
         self.state.update(stage='compress', startTime=O.time, startIter=O.iter)
+        self.state.setdefault('bedSeconds', sum(self.state['stageSeconds'].values()))
         self.state['before'] = oedometerreport.contactsNow(self.ids)
 
     def _compress(self):

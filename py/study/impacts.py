@@ -61,7 +61,7 @@ def standard(values):
     A shape is its exponents and its aspect: a cylinder with n2 = 8 is a cube or block, a cube with n1 = n2 = 2 an ellipsoid. Only
     the sphere stays one by name, as it is YADE's own.
     """
-    shape = particleShape(values['shape'], values['radius'], values['aspect'], values['n1'], values['n2'])
+    shape = particleShape(values['shape'], 1.0, values['aspect'], values['n1'], values['n2'])
     if shape.asSphere:
         return {**values, 'n1': None, 'n2': None}
     exponents, regular = (shape.n1, shape.n2), values['aspect'] == 1
