@@ -2,9 +2,9 @@
 
     yade -n -x scripts/single_particle_crushing.py --output results/single_particle_crushing --parents 100
 
-Parents of 28-30 mm are broken by cuts u^p with p = 1, 2, 3 and held against the exact distribution (figure 2), again with other seeds (figure 3), and parents of
-ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come from simulating, or exchanging,
-whole parents. Writes fragments.csv, summary.json and, without --noPictures, exponents.png, repetitions.png and classes.png.
+Parents of 28-30 mm are broken by cuts u^p with p = 1, 2, 3 and held against the exact distribution (figure 2), again with other seeds (figure 3), and
+parents of ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come from
+simulating, or exchanging, whole parents. Writes fragments.csv, summary.json and, without --noPictures, exponents.png, repetitions.png and classes.png.
 """
 import argparse
 import os
@@ -92,8 +92,10 @@ def main():
         return 2
     exponents, classes = byExponent(given.parents, given.seed), byClass(given.parents, given.seed)
     summary = summaryOf(exponents, classes)
-    results.writeCsv(os.path.join(given.output, 'fragments.csv'), ('classFrom', 'classTo', 'exponent', 'parent', 'fragment'), rows(exponents, classes))
-    results.writeJson(os.path.join(given.output, 'summary.json'), {'parents': given.parents, 'seed': given.seed, **summary, 'versions': results.versions()})
+    results.writeCsv(os.path.join(given.output, 'fragments.csv'), ('classFrom', 'classTo', 'exponent', 'parent', 'fragment'),
+                     rows(exponents, classes))
+    results.writeJson(os.path.join(given.output, 'summary.json'),
+                      {'parents': given.parents, 'seed': given.seed, **summary, 'versions': results.versions()})
     if not given.noPictures:
         repeated = [singlecrushing.breakEach(exponents[CHOSEN][0], CHOSEN, given.seed + 100 + i) for i in range(REPETITIONS)]
         draw(given.output, exponents, repeated, classes)

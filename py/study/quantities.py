@@ -153,6 +153,11 @@ def xText(value):
     return f'{value:g}' if isNumber(value) else str(value)
 
 
+def counted(number, noun='run'):
+    """'1 run', '3 runs'."""
+    return f'{number} {noun}{"" if number == 1 else "s"}'
+
+
 def inUnit(y, value, digits=3):
     """The SI value of a quantity as text in its reader's unit."""
     quantity = QUANTITIES[y]
