@@ -3,8 +3,9 @@
     yade -n -x scripts/single_particle_crushing.py --output results/single_particle_crushing --parents 100
 
 Parents of 28-30 mm are broken by cuts u^p with p = 1, 2, 3 and held against the exact distribution (figure 2), again with other seeds (figure 3), and
-parents of ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come from
-simulating, or exchanging, whole parents. Writes fragments.csv, summary.json and, without --noPictures, exponents.png, repetitions.png and classes.png.
+parents of ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come
+from simulating, or exchanging, whole parents. Writes fragments.csv, summary.json and, without --noPictures, exponents.png, repetitions.png,
+classes.png.
 """
 import argparse
 import os

@@ -47,8 +47,9 @@ def drawGradings(data, series, values, panels, records):
         sizes = numpy.geomspace(finest, 1.001 * coarsest, SAMPLES)
         beds = frozenset(case.bed for case in cases)
         if beds not in known:   # lines on the same beds begin alike
+            first = None if known else 'before'
             known.add(beds)
-            _drawBand(whole, sizes, _finer([case.before for case in cases], sizes), 'black', 1e3, ls='--', label='before' if len(known) == 1 else None)
+            _drawBand(whole, sizes, _finer([case.before for case in cases], sizes), 'black', 1e3, ls='--', label=first)
         _drawBand(whole, sizes, _finer([case.after for case in cases], sizes), colour, 1e3, label=label)
         fragments = [case.relative for case in cases if case.relative is not None]
         if fragments:
