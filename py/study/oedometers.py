@@ -91,5 +91,5 @@ OEDOMETERS = Experiment(
     measured=MEASURED, derived=DERIVED, mayBeMissing=('firstStress', 'onsetStress'),  # where so few break
     runSeconds='runSeconds', shown=('strain', 'stress', 'onsetStress', 'number', 'hardin', 'fragmentsWidestGap', 'carryingContactNumber',
                                     'carryingForceSpread', 'plateOverBase'),
-    concerns=_concerns, validations={},
+    concerns=_concerns, validations={'singleParticleCrushing': 'single_particle_crushing'},
     drawings={'stresses': drawStresses, 'gradings': drawGradings, 'contacts': drawContacts})

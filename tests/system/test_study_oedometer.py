@@ -94,7 +94,7 @@ def test_bedsOfEqualParticlesAreOne():
     ({'base': {'thickness': 0.02}}, 'base.thickness = 0.02: there is no such parameter'),
     ({'base': {**SMALL, 'weibullModulus': 0}}, "groups.modes, series 'cube', maxStress = 80000.0: weibullModulus = 0: must be positive"),
     ({'base': {**SMALL, 'cutExponent': -1}}, "groups.modes, series 'cube', maxStress = 80000.0: cutExponent = -1: must be positive"),
-    ({'validations': {'cylinderOnPlane': True}}, "validations: 'cylinderOnPlane' is unknown")])
+    ({'validations': {'cylinderOnPlane': True}}, "validations: 'cylinderOnPlane' is unknown; possible are singleParticleCrushing")])
 def test_badStudies(change, message):
     with pytest.raises(ValueError) as error:
         planOf(checkedStudy({**copy.deepcopy(STUDY), **change}))
