@@ -10,9 +10,9 @@ from .quantities import xText
 from .style import COLOURS, newFigure, outerLegend
 
 SAMPLES = 400
-LOWEST_STRESS = 1e4     # Pa, of the axis: below, the bed's own weight counts
 FINEST = 1e-3           # of the mass: below, the axis of sizes ends
 MOST_CONTACTS = 25      # of a particle, on the axis
+RAREST = 1e-3           # probability density at which the axis of forces ends: in a bin less than one particle of 1,000
 SIDES = ('all particles', 'without rattlers (none or one contact)')
 
 
@@ -27,7 +27,7 @@ def drawStresses(data, series, values, panels, records):
             _drawBand(panel, at, [(test['strain'], unit * test[column]) for test in tests], colour, 100, **style)
         # The highest stress so far: the record goes down at times.
         highest = [numpy.maximum.accumulate(test['plateStress']) for test in tests]
-        at = numpy.geomspace(LOWEST_STRESS, max(stress[-1] for stress in highest), SAMPLES)
+        at = numpy.geomspace(max(stress[0] for stress in highest), max(stress[-1] for stress in highest), SAMPLES)
         _drawBand(voids, at, [(stress, test['voidRatio']) for stress, test in zip(highest, tests)], colour, 1e-6)
     strains.set(xlabel='axial strain [%]', ylabel='axial stress (dotted: lateral) [MPa]', ylim=(0, None))
     voids.set(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio')
@@ -73,10 +73,10 @@ def drawContacts(data, series, values, panels, records):
             shares = [(numbers, _shares(contacts, numbers)) for contacts in chosen]
             densities = [(middles, contactstatistics.forceDistribution(contacts, FORCE_EDGES)) for contacts in chosen]
             _drawBand(axes[0, column], numbers, shares, colour, 1, marker='o', ms=3, label=label)
-            _drawBand(axes[1, column], middles, densities, colour, 1, marker='o', ms=3)
+            _drawBand(axes[1, column], middles, densities, colour, 1, RAREST, marker='o', ms=3)
     for column, title in enumerate(SIDES):
         axes[0, column].set(xlabel='contacts of a particle', ylabel='share of the particles', title=title, ylim=(0, None))
-        axes[1, column].set(xlabel='mean contact force of a particle/mean', ylabel='probability density', yscale='log')
+        axes[1, column].set(xlabel='mean contact force of a particle/mean', ylabel='probability density', yscale='log', ylim=(RAREST, None))
     outerLegend(figure, (axes[0, 0],))
     return figure
 
@@ -100,9 +100,12 @@ class _BedCase:
         self.bed = bed
 
 
-def _drawBand(axes, at, curves, colour, unit, **style):
-    """Mean of `curves` [(x, y)] at `at` with its band over the beds; `unit`: of x."""
+def _drawBand(axes, at, curves, colour, unit, lowest=None, **style):
+    """Mean of `curves` [(x, y)] at `at` with its band over the beds; `unit`: of x; `lowest`: what is below is not there (on logarithmic axes)."""
     mean, half = meanCurve(curves, at)
+    if lowest is not None:
+        mean = numpy.where(mean >= lowest, mean, numpy.nan)
+        half = numpy.minimum(half, mean - lowest)
     if numpy.isfinite(half).any():
         axes.fill_between(unit * at, mean - half, mean + half, color=colour, alpha=0.15, lw=0)
     axes.plot(unit * at, mean, color=colour, **{'lw': 1.5, **style})
