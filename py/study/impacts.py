@@ -42,7 +42,7 @@ DERIVED = {
     'pours': lambda summary: len(summary['bed']['pours']),
     'atRest': lambda summary: bool(summary['bed']['atRest']['soft'] and summary['bed']['atRest']['true']),
 }
-DOUBTS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
+DOUBTS = (('atRest', False, 'impacts on beds that were not at rest'), ('over', False, 'impacts that were not over when the record ended'))
 
 
 def placesOf(values, number):
@@ -77,7 +77,7 @@ def _costs(particles):
 
 def _concerns(done):
     counts = [(int((done[column] == bad).sum()), text) for column, bad, text in DOUBTS]
-    return [f'{count} {text}' for count, text in counts if count] + _offThickness(done)
+    return [f'{text}: {count}' for count, text in counts if count] + _offThickness(done)
 
 
 def _offThickness(done):

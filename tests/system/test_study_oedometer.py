@@ -7,11 +7,13 @@ import subprocess
 import sys
 
 import numpy
+import pandas
 import pytest
 import yade
 import yaml
 from matplotlib.image import imread
 
+from yade.superquadric.study.oedometers import OEDOMETERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
@@ -69,6 +71,16 @@ def test_tableHoldsEveryTest(study):
         else:
             assert float(row['fragmentsWidestGap']) == summary['grading']['fragments']['widestGap']['factor'] > 1
             assert float(row['number']) == 25 + 7 * float(row['broken']) > 25
+
+
+@pytest.mark.parametrize('change, words', [
+    ({}, None), ({'lost': 1}, 'tests with particles outside the container: 1 of 2'), ({'volumeError': -1e-6}, 'is not conserved: 1 of 2'),
+    ({'waiting': 3}, 'maxEvents is too small: 1 of 2'), ({'plateOverBase': 1.11}, 'too fast: plate and base differ by more than 5 %: 1 of 2'),
+    ({'plateOverBase': 1.3, 'wallFriction': 0.2}, None)])
+def test_concernsTellWhatIsWrong(change, words):
+    good = {'lost': 0, 'volumeError': 1e-16, 'waiting': 0, 'plateOverBase': 1.01, 'wallFriction': 0.0}
+    concerns = OEDOMETERS.concerns(pandas.DataFrame([good, {**good, **change}]))
+    assert len(concerns) == (words is not None) and all(concern.endswith(words) for concern in concerns)
 
 
 def test_picturesShowSomething(study):
