@@ -46,7 +46,8 @@ class BedRun(StagedRun):
             raise ValueError(f'output = {output!r}: holds the bed; another folder is needed')
         cls.checkFolder(output)
         finishedbed.load(bed)
-        run = cls.inFolder(output, {**state, 'parameters': parameters, 'seconds': 0.0, 'stageSeconds': {}}, stream=stream)
+        own = {'parameters': parameters, 'bedSeconds': state['seconds'], 'seconds': 0.0, 'stageSeconds': {}}
+        run = cls.inFolder(output, {**state, **own}, stream=stream)
         shutil.copyfile(os.path.join(bed, finishedbed.BEFORE), run.path(finishedbed.BEFORE))
         return run
 

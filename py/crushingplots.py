@@ -21,14 +21,18 @@ def exactFrequencies(exponent, ratios, byMass=False):
 
 
 def exponents(path, runs, ratios):
-    """Sizes for several exponents of the cut (figure 2), by number and by mass. `runs`: {p: sizes over d_max}; `ratios`: the parents' sizes over d_max."""
+    """Sizes for several exponents of the cut (figure 2), by number and by mass.
+
+    :param runs: {p: sizes over d_max}; :param ratios: the parents' sizes over d_max
+    """
     figure, panels = newFigure(2, 1, 5, 3.8)
     for axes, byMass in zip(panels[0], (False, True)):
         for (exponent, values), colour, marker in zip(runs.items(), COLOURS, MARKERS):
             axes.plot(MIDDLES, exactFrequencies(exponent, ratios, byMass), color=colour, lw=1.5)
             axes.plot(MIDDLES, frequencies(values, byMass), marker, color=colour, ms=5, label=f'p = {exponent:g}')
         axes.plot([], [], color='0.3', lw=1.5, label='exact')
-        axes.set(xlabel=XLABEL, ylabel='part of the mass [%]' if byMass else YLABEL, xlim=(0, 1), ylim=(0, None), title='by mass' if byMass else 'by number')
+        axes.set(xlabel=XLABEL, ylabel='part of the mass [%]' if byMass else YLABEL, xlim=(0, 1), ylim=(0, None),
+                 title='by mass' if byMass else 'by number')
     panels[0, 0].legend(frameon=False)
     figure.suptitle(f'{len(ratios)} parents, each broken once')
     save(figure, path)

@@ -1,10 +1,11 @@
 """How large the fragments of the cube mode are: the exact distribution of Zhao & Chi's cut, and tests against it. Numpy only.
 
-A cut's coordinates are u^p, u uniform on (0, 1). A fragment drawn at random from the eight has along each axis the lower or the upper side, w = u^p or 1 - u^p
-with equal chance, and these are independent: its share of the volume is the product of three such w, its size over the parent's the cube root of that.
+A cut's coordinates are u^p, u uniform on (0, 1). A fragment drawn at random from the eight has along each axis the lower or the upper side, w = u^p
+or 1 - u^p with equal chance, and these are independent: its share of the volume is the product of three such w, its size over the parent's the cube
+root of that.
 
-The eight fragments of one parent are not independent: they share a cut, and their volumes add up to the parent's. So no test here takes its significance from
-Kolmogorov's formula: it is found by simulating (or permuting) whole parents.
+The eight fragments of one parent are not independent: they share a cut, and their volumes add up to the parent's. So no test here takes its
+significance from Kolmogorov's formula: it is found by simulating (or permuting) whole parents.
 """
 import numpy as np
 
@@ -67,8 +68,8 @@ def distance(values, function):
 
 
 def agreement(sizes, exponent, parents, largest, seed=0, samples=1000):
-    """Whether fragments come from the cut: Kolmogorov's distance between all `sizes` (parents, 8) [m] over `largest` [m] and the exact distribution for parents of
-    those sizes [m], and the part of `samples` simulations of as many parents, eight fragments each, with a distance as large.
+    """Whether fragments come from the cut: Kolmogorov's distance between all `sizes` (parents, 8) [m] over `largest` [m] and the exact distribution
+    for `parents` of those sizes [m], and the part of `samples` simulations of as many parents, eight fragments each, with a distance as large.
 
     :returns: (distance, p-value)
     """
@@ -85,8 +86,8 @@ def agreement(sizes, exponent, parents, largest, seed=0, samples=1000):
 
 
 def sameDistribution(groups, seed=0, samples=500):
-    """Whether groups of parents have the same distribution of fragments: the largest Kolmogorov distance between a group and all of them together, and the part
-    of `samples` random exchanges of whole parents between the groups with one as large.
+    """Whether groups of parents have the same distribution of fragments: the largest Kolmogorov distance between a group and all of them together,
+    and the part of `samples` random exchanges of whole parents between the groups with one as large.
 
     :param groups: arrays (parents, 8)
     :returns: (distance, p-value)

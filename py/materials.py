@@ -44,8 +44,8 @@ def elastoplasticMat(material, **others):
         sq.elastoplasticMat('aluminium-2024-T351', frictionAngle=0.4, normalDamping=sq.normalDampingFor(0.8))
 
     :param material: name of a shipped material, path of a material file (docs/plasticity), or a dict as it is in one: young [Pa], poisson,
-        density [kg/m3], yieldStress [Pa], hardening (a dict with referenceRadius [m], m0, m1, m2, exponent and, if not 1 to 4, smallestRatio, largestRatio) and, not needed here,
-        name, source, stressStrain, fit. Its name becomes the label.
+        density [kg/m3], yieldStress [Pa], hardening (a dict with referenceRadius [m], m0, m1, m2, exponent and, if not 1 to 4, smallestRatio,
+        largestRatio) and, not needed here, name, source, stressStrain, fit. Its name becomes the label.
     :param others: further attributes, such as frictionAngle, or ones that replace those of the dict
     :raises ValueError: no such file, a key that is missing or unknown, or a value that the material refuses
     """

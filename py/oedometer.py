@@ -16,7 +16,7 @@ from .container import boxContainer, cylinderContainer, setHeight
 from .engines import engine, superquadricEngines
 from .filling import rainFilling
 from .oedometerparameters import (
-    bedPart, bedTimeStep, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep)
+    bedPart, bedTimeStep, breakageSeed, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep)
 from .oedometerrecord import Averages, row, strain
 from .settling import RestCriterion, settle
 from .snapshot import Snapshot, boxHalfHeights
@@ -137,10 +137,11 @@ class OedometerRun(BedRun):
             O.materials['particles'].updateAttrs(strengthOf(p))
             O.engines = [BreakageEngine(criterion=p['criterion'], mode=p['mode'], cutExponent=p['cutExponent'], maxEvents=p['maxEvents'],
                                         smallestFragment=p['smallestFragment'], inertialSize=p['inertialSize'],
-                                        seed=p['breakageSeed'])] + O.engines
+                                        seed=breakageSeed(p))] + O.engines
         O.dt = testTimeStep(p)
         O.trackEnergy = True
         self.state.update(stage='compress', startTime=O.time, startIter=O.iter)
+        self.state.setdefault('bedSeconds', self.state['seconds'])
         self.state['before'] = oedometerreport.contactsNow(self.ids)
 
     def _compress(self):

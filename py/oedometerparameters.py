@@ -54,7 +54,7 @@ PARAMETERS = (
               'cut is drawn again', TEST),
     Parameter('cutExponent', 2.0, '', checks.positive, 'p of the cube\'s cut: u^p, u uniform', TEST),
     Parameter('maxEvents', 100, '', count(1), 'particles that break in one step, at most', TEST),
-    Parameter('breakageSeed', 1, '', count(0), 'seed of strengths, cuts and orientations of the fragments', TEST),
+    Parameter('breakageSeed', None, '', optional(count(0)), 'seed of strengths, cuts and orientations of the fragments; default: the bed\'s', TEST),
     Parameter('inertialSize', 0.01, 'm', checks.positive, 'fragments of a smaller width get the inertia with which their critical time step is that '
               'of this width', TEST),
     Parameter('strainRate', 1.0, '1/s', checks.positive, 'largest axial strain rate', TEST),
@@ -146,6 +146,11 @@ def materialOf(parameters):
 def strengthOf(parameters):
     """Attributes of the particles' BreakableMat that make them break."""
     return {name: parameters[name] for name in ('characteristicStrength', 'referenceSize', 'weibullModulus', 'smallestSize')}
+
+
+def breakageSeed(parameters):
+    """Seed of strengths and cuts: unless it is given, another bed has other strengths."""
+    return parameters['seed'] if parameters['breakageSeed'] is None else parameters['breakageSeed']
 
 
 def timeStepOf(parameters, size):

@@ -26,8 +26,8 @@ def gradings(path, cases):
     lowest = min(case.after.size(1e-3) for case in cases)
     whole.set(xscale='log', xlabel='d [mm]', ylabel='mass finer [%]', xlim=(1e3 * lowest, None), title='specimen')
     relative.set(xscale='log', xlabel='size of fragment/size of first particle', xlim=(RELATIVE_LOWEST, 1.05), title='fragments')
-    _plainTicks(whole)
-    _plainTicks(relative)
+    plainTicks(whole)
+    plainTicks(relative)
     outerLegend(figure, (whole,))
     save(figure, path)
 
@@ -36,7 +36,7 @@ def _curve(axes, grading, unit, **style):
     axes.step(unit * np.repeat(grading.sizes, 2), 100 * np.repeat(grading.sums, 2)[1:-1], where='post', **style)
 
 
-def _plainTicks(axes):
+def plainTicks(axes):
     """1, 2, 5, 10, ... on a logarithmic axis x, not powers of ten."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -58,7 +58,7 @@ def stresses(path, cases):
     low = min(case.stress['plateStress'].min() for case in cases)
     voidPanel.set(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio', xlim=(1e-6 * max(low, 1e4), None))
     numberPanel.set(xlabel='axial strain [%]', ylabel='particles', ylim=(0, None))
-    _plainTicks(voidPanel)
+    plainTicks(voidPanel)
     outerLegend(figure, (strainPanel,))
     save(figure, path)
 

@@ -5,8 +5,8 @@ from collections import namedtuple
 from . import checks, results
 
 Parameter = namedtuple('Parameter', 'name default unit check help scope')
-Parameter.__doc__ = """A parameter of an experiment. `check(name, value)` returns the accepted value or raises a ValueError; `scope` says what it belongs
-to: runs that differ only in other scopes share it (a bed, say)."""
+Parameter.__doc__ = """A parameter of an experiment. `check(name, value)` returns the accepted value or raises a ValueError; `scope` says what it
+belongs to: runs that differ only in other scopes share it (a bed, say)."""
 
 
 def optional(check):

@@ -52,8 +52,8 @@ PARAMETERS = (
     Parameter('timeStepFraction', 0.1, '', between(0, 1 + 1e-12), 'time step over the critical one (14); the paper: 0.1 at most', BED),
     Parameter('dt', None, 's', optional(checks.positive), 'time step of the impact, instead of timeStepFraction', IMPACT),
     Parameter('restEnergy', QUIET, '', checks.positive, 'kinetic energy per particle over m g d below which the poured bed is at rest', BED),
-    Parameter('thicknessTolerance', 0.03, '', between(0, 1 + 1e-12), 'the bed is poured again with another number of particles until its thickness is '
-              'within this part of the one aimed at; not where particles is given', BED),
+    Parameter('thicknessTolerance', 0.03, '', between(0, 1 + 1e-12), 'the bed is poured again with another number of particles until its thickness '
+              'is within this part of the one aimed at; not where particles is given', BED),
     Parameter('maxSettlingTime', 3.0, 's', checks.positive, 'simulated time after which pouring ends in any case', BED),
     Parameter('impactorX', 0.0, 'm', checks.finite, 'where it falls: distance from the container\'s axis along x', IMPACT),
     Parameter('impactorY', 0.0, 'm', checks.finite, 'the same along y', IMPACT),

@@ -1,10 +1,11 @@
 """Particles that break once, each for itself: the sizes of their fragments, after Zhao & Chi, J. Northeastern Univ. Nat. Sci. 44(3), 408 (2023).
 
-    yade -n -x scripts/single_particle_crushing.py --output results/single_particle_crushing --parents 100
+    yade -n -x scripts/single_particle_crushing.py [OUTPUT_FOLDER] [--parents 100]
 
-Parents of 28-30 mm are broken by cuts u^p with p = 1, 2, 3 and held against the exact distribution (figure 2), again with other seeds (figure 3), and parents of
-ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come from simulating, or exchanging,
-whole parents. Writes fragments.csv, summary.json and, without --noPictures, exponents.png, repetitions.png and classes.png.
+Parents of 28-30 mm are broken by cuts u^p with p = 1, 2, 3 and held against the exact distribution (figure 2), again with other seeds (figure 3), and
+parents of ten classes from 20-22 to 38-40 mm against each other (figure 4). The eight fragments of a parent depend on each other: p-values come
+from simulating, or exchanging, whole parents. Writes single_particle_crushing.csv, .json and, without --noPictures, .png (figure 2),
+_repetitions.png (3), _classes.png (4).
 """
 import argparse
 import os
@@ -13,6 +14,7 @@ import sys
 from yade.superquadric import checks, crushingplots, cutdistribution, results, singlecrushing
 
 EXPONENTS, CHOSEN = (1, 2, 3), 2  # of the cut; the one that fits tests on rock, as the paper finds
+NAME = 'single_particle_crushing'  # all its files begin with it
 CLASS, LARGEST = (28e-3, 30e-3), 30e-3  # [m]
 CLASSES = [(low * 1e-3, (low + 2) * 1e-3) for low in range(20, 40, 2)]  # [m]
 REPETITIONS = 10
@@ -21,7 +23,7 @@ REPETITIONS = 10
 def options():
     parser = argparse.ArgumentParser(prog='yade -n -x scripts/single_particle_crushing.py', description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument('--output', metavar='FOLDER', default=os.path.join('results', 'single_particle_crushing'), help='(default: %(default)s)')
+    parser.add_argument('output', metavar='FOLDER', nargs='?', default=os.path.join('results', NAME), help='(default: %(default)s)')
     parser.add_argument('--parents', metavar='NUMBER', default=100, help='number of particles in each class (default: %(default)s)')
     parser.add_argument('--seed', metavar='NUMBER', default=1, help='of their sizes and cuts (default: %(default)s)')
     parser.add_argument('--noPictures', action='store_true', help='draw none')
@@ -69,9 +71,9 @@ def rows(exponents, classes):
 
 def draw(folder, exponents, repeated, classes):
     ratios = [parent / LARGEST for parent in exponents[CHOSEN][0]]
-    crushingplots.exponents(os.path.join(folder, 'exponents.png'), {p: fragments / LARGEST for p, (_, fragments) in exponents.items()}, ratios)
-    crushingplots.repetitions(os.path.join(folder, 'repetitions.png'), [fragments / LARGEST for fragments in repeated], CHOSEN, ratios)
-    crushingplots.classes(os.path.join(folder, 'classes.png'), {bounds: fragments / bounds[1] for bounds, (_, fragments) in classes.items()})
+    crushingplots.exponents(os.path.join(folder, f'{NAME}.png'), {p: fragments / LARGEST for p, (_, fragments) in exponents.items()}, ratios)
+    crushingplots.repetitions(os.path.join(folder, f'{NAME}_repetitions.png'), [fragments / LARGEST for fragments in repeated], CHOSEN, ratios)
+    crushingplots.classes(os.path.join(folder, f'{NAME}_classes.png'), {bounds: fragments / bounds[1] for bounds, (_, fragments) in classes.items()})
 
 
 def report(summary):
@@ -92,8 +94,10 @@ def main():
         return 2
     exponents, classes = byExponent(given.parents, given.seed), byClass(given.parents, given.seed)
     summary = summaryOf(exponents, classes)
-    results.writeCsv(os.path.join(given.output, 'fragments.csv'), ('classFrom', 'classTo', 'exponent', 'parent', 'fragment'), rows(exponents, classes))
-    results.writeJson(os.path.join(given.output, 'summary.json'), {'parents': given.parents, 'seed': given.seed, **summary, 'versions': results.versions()})
+    results.writeCsv(os.path.join(given.output, f'{NAME}.csv'), ('classFrom', 'classTo', 'exponent', 'parent', 'fragment'),
+                     rows(exponents, classes))
+    results.writeJson(os.path.join(given.output, f'{NAME}.json'),
+                      {'parents': given.parents, 'seed': given.seed, **summary, 'versions': results.versions()})
     if not given.noPictures:
         repeated = [singlecrushing.breakEach(exponents[CHOSEN][0], CHOSEN, given.seed + 100 + i) for i in range(REPETITIONS)]
         draw(given.output, exponents, repeated, classes)

@@ -8,7 +8,7 @@ from collections import namedtuple
 from itertools import pairwise
 
 from .measure import Measure, pText
-from .quantities import QUANTITIES, inUnit, xText
+from .quantities import QUANTITIES, counted, inUnit, xText
 from .saturation import FEWEST, fitSaturation
 from .statistics import holm, leastP, trend
 
@@ -156,8 +156,7 @@ def smallest(values):
 
 
 def _runs(samples):
-    number = sum(map(len, samples.values()))
-    return f'{number} run{"" if number == 1 else "s"}'
+    return counted(sum(map(len, samples.values())))
 
 
 def _named(y):

@@ -7,7 +7,7 @@ from scipy import stats
 
 from .claims import ALPHA, Part, smallest, verdict
 from .measure import Measure, pText
-from .quantities import QUANTITIES, xText
+from .quantities import QUANTITIES, counted, xText
 from .statistics import holm
 
 MARGIN = 0.1        # differences up to 10 % are none, unless the finding says otherwise
@@ -47,7 +47,7 @@ def _comparison(data, finding, high, low, parts, everywhere):
             f'{data.xName}, {pText(total.twoSided())}; by itself (Holm) it is clear at {_list(clear)} of {_list(x for x, *_ in pairs)}')
     text += f'; the means are the other way round at {_list(wrong)}' if wrong else ''
     text += f', significantly at {_list(reversed_)}' if reversed_ else ''
-    return Part(title, decided, f'{text}; {_count(pairs)} runs.',
+    return Part(title, decided, f'{text}; {_count(pairs)}.',
                 {'overall': measure.numbers(total), 'at': {xText(x): measure.numbers(one) for x, one in single}})
 
 
@@ -73,7 +73,7 @@ def agree(data, finding):
     widest = max(single, key=lambda item: abs(item[1].estimate))
     if decided == 'supported' and abs(widest[1].estimate) > margin:
         decided = 'undecided'
-    text += f'; the largest single difference is {measure.text(widest[1])} at {xText(widest[0])}; {_count(pairs)} runs.'
+    text += f'; the largest single difference is {measure.text(widest[1])} at {xText(widest[0])}; {_count(pairs)}.'
     return [Part(title, decided, text, {'margin': share, 'pWithin': within, 'overall': measure.numbers(total),
                                         'at': {xText(x): measure.numbers(one) for x, one in single}})]
 
@@ -97,7 +97,7 @@ def noEffect(data, finding):
     runs = sum(map(len, points.values()))
     text = (f'the largest of {len(pairs)} differences in {QUANTITIES[finding["y"]].name}, from {_pointName(a)} to {_pointName(b)}, is '
             f'{measure.text(widest)}; all within {100 * share:g} %: {pText(within)}; any effect at all (analysis of variance): {pText(anyEffect)}; '
-            f'{runs} runs{", compared in pairs where they are on the same bed" if measure.shared else ""}.')
+            f'{counted(runs)}{", compared in pairs where they are on the same bed" if measure.shared else ""}.')
     if len({x for _, x in points}) == 1:
         text += f' All are at one {data.xName}: whether that matters is not seen.'
     missing = [point for point in product(series, data.plannedIn(finding)) if point not in points]
@@ -179,4 +179,4 @@ def _list(values):
 
 
 def _count(pairs):
-    return sum(len(sample) for _, *both in pairs for sample in both)
+    return counted(sum(len(sample) for _, *both in pairs for sample in both))

@@ -87,7 +87,7 @@ DERIVED = {
 def _concerns(done):
     counts = ((done['balanceError'].abs() > CLOSED, f'runs whose energy account is off by more than {100 * CLOSED:g} % of the work'),
               (done['storedShare'].abs() > STEADY, 'runs that were still building up or dying out'))
-    return [f'{text}: {", ".join(f"{x:g} Hz" for x in done["frequency"][wrong])}' for wrong, text in counts if wrong.any()]
+    return [f'{text}: {", ".join(f"{x:g} Hz" for x in sorted(set(done["frequency"][wrong])))}' for wrong, text in counts if wrong.any()]
 
 
 def drawShares(data, series, values, panels, records):

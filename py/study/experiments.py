@@ -1,8 +1,9 @@
 """The kinds of experiment that studies know."""
 from .dampers import DAMPERS
 from .impacts import IMPACTS
+from .oedometers import OEDOMETERS
 
-EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS, DAMPERS)}
+EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS, DAMPERS, OEDOMETERS)}
 
 
 def experimentOf(plan):

@@ -32,8 +32,9 @@ STRENGTH = ('contradicted', 'undecided', 'supported')   # a finding is as strong
 
 
 def checkFinding(finding, group):
-    """`finding`, its numbers as such, if it can be tested in `group`: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}.
+    """`finding`, its numbers as such, if it can be tested in `group`.
 
+    :param group: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}
     :raises ValueError: unknown test, key, quantity or series, a missing key, a value that cannot be
     """
     if not isinstance(finding, dict):

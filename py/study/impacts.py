@@ -42,7 +42,7 @@ DERIVED = {
     'pours': lambda summary: len(summary['bed']['pours']),
     'atRest': lambda summary: bool(summary['bed']['atRest']['soft'] and summary['bed']['atRest']['true']),
 }
-DOUBTS = (('atRest', False, 'impacts were on beds that were not at rest'), ('over', False, 'impacts were not over when the record ended'))
+DOUBTS = (('atRest', False, 'impacts on beds that were not at rest'), ('over', False, 'impacts that were not over when the record ended'))
 
 
 def placesOf(values, number):
@@ -61,7 +61,7 @@ def standard(values):
     A shape is its exponents and its aspect: a cylinder with n2 = 8 is a cube or block, a cube with n1 = n2 = 2 an ellipsoid. Only
     the sphere stays one by name, as it is YADE's own.
     """
-    shape = particleShape(values['shape'], values['radius'], values['aspect'], values['n1'], values['n2'])
+    shape = particleShape(values['shape'], 1.0, values['aspect'], values['n1'], values['n2'])
     if shape.asSphere:
         return {**values, 'n1': None, 'n2': None}
     exponents, regular = (shape.n1, shape.n2), values['aspect'] == 1
@@ -77,7 +77,7 @@ def _costs(particles):
 
 def _concerns(done):
     counts = [(int((done[column] == bad).sum()), text) for column, bad, text in DOUBTS]
-    return [f'{count} {text}' for count, text in counts if count] + _offThickness(done)
+    return [f'{text}: {count}' for count, text in counts if count] + _offThickness(done)
 
 
 def _offThickness(done):

@@ -7,7 +7,7 @@ from .experiments import experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
-from .quantities import QUANTITIES, axisLabel, isNumber, plain, xText
+from .quantities import QUANTITIES, axisLabel, counted, isNumber, plain, xText
 from .statistics import typicalValue
 
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
@@ -55,8 +55,13 @@ def _header(experiment, plan, table):
     return {'runs': len(done), 'plannedRuns': len(plan['runs']), 'beds': int(done['bed'].nunique()),
             'cpuHours': _cpuHours(experiment, done),
             'versions': {name: sorted(set(done[column].astype(str))) for column, name in VERSIONS.items()},
-            'concerns': experiment.concerns(done) + ([f'{int((done["uncertified"] > 0).sum())} runs have contact solutions without a certificate']
-                                                     if (done['uncertified'] > 0).any() else [])}
+            'concerns': [*experiment.concerns(done), *_uncertified(done)]}
+
+
+def _uncertified(done):
+    """A sentence on the runs with contact solutions of which nothing is proved, if there are any."""
+    number = int((done['uncertified'] > 0).sum())
+    return [f'{counted(number)} with contact solutions that have no certificate'] if number else []
 
 
 def _cpuHours(experiment, done):
@@ -104,7 +109,7 @@ def _page(content):
     lines += [f'**Mind:** {concern}.' for concern in content['concerns']] + [''] * bool(content['concerns'])
     lines += _overview(content)
     for group in content['groups']:
-        lines += [f'## {group["title"]}', '', f'{group["runs"]} of {group["plannedRuns"]} runs.', '']
+        lines += [f'## {group["title"]}', '', f'{group["runs"]} of {counted(group["plannedRuns"])}.', '']
         for figure in group['figures']:
             lines += _figureLines(figure)
         lines += _tableLines(group, content['shown']) + _findingLines(content, group)
@@ -113,7 +118,7 @@ def _page(content):
 
 def _headline(content):
     versions = ', '.join(f'{name} {" and ".join(values)}' for name, values in content['versions'].items() if values)
-    return (f'{content["runs"]} of {content["plannedRuns"]} runs on {content["beds"]} beds; {plain(content["cpuHours"])} CPU hours'
+    return (f'{content["runs"]} of {counted(content["plannedRuns"])} on {counted(content["beds"], "bed")}; {plain(content["cpuHours"])} CPU hours'
             + (f'; {versions}.' if versions else '.'))
 
 
@@ -129,7 +134,7 @@ def _overview(content):
 def _figureLines(figure):
     if not figure['runs']:
         return [f'{figure["name"]}: no runs yet.', '']
-    return [f'![{figure["name"]}]({figure["file"]})', '', f'*{figure["name"]}: {figure["runs"]} runs.*', '']
+    return [f'![{figure["name"]}]({figure["file"]})', '', f'*{figure["name"]}: {counted(figure["runs"])}.*', '']
 
 
 def _tableLines(group, shown):
@@ -159,7 +164,7 @@ def _findingLines(content, group):
     lines = []
     for finding in content['findings']:
         if finding['group'] == group['name']:
-            lines.append(f'- {finding["paper"]}: **{finding["verdict"]}** ({finding["runs"]} runs). {finding["summary"]}'.rstrip())
+            lines.append(f'- {finding["paper"]}: **{finding["verdict"]}** ({counted(finding["runs"])}). {finding["summary"]}'.rstrip())
             lines += [f'  - {part["name"]}: {part["text"]}' if part['name'] else f'  - {part["text"]}' for part in finding['parts']]
     return lines + [''] * bool(lines)
 

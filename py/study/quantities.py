@@ -53,6 +53,42 @@ QUANTITIES = {
     'storedShare': Quantity('stored energy gained, over the work', '', '%', 100),
     'balanceError': Quantity('error of the energy account', '', '%', 100),
     'runSeconds': Quantity('computing the run', '', 's', 1),
+    'strain': Quantity('axial strain', '', '%', 100),
+    'stress': Quantity('axial stress at the end', '', 'MPa', 1e-6),
+    'lateralRatio': Quantity('lateral stress over the axial one', '', '', 1),
+    'startVoidRatio': Quantity('void ratio at the start', '', '', 1),
+    'voidRatio': Quantity('void ratio at the end', '', '', 1),
+    'firstStress': Quantity('axial stress at the first breakage', '', 'MPa', 1e-6),
+    'onsetStress': Quantity('axial stress at which 1 % are broken', '', 'MPa', 1e-6),
+    'broken': Quantity('breakages', '', '', 1),
+    'generations': Quantity('generations of fragments', '', '', 1),
+    'smallest': Quantity('smallest particle', '', 'mm', 1e3),
+    'volumeError': Quantity('error of the particles\' volume', '', '', 1),
+    'lost': Quantity('particles lost', '', '', 1),
+    'centresOutside': Quantity('particles with their centre outside', '', '', 1),
+    'hardin': Quantity('relative breakage', '$B_r$', '', 1),
+    'einav': Quantity('breakage (Einav)', '$B$', '', 1),
+    'd50Before': Quantity('median size before', '', 'mm', 1e3),
+    'd50': Quantity('median size after', '', 'mm', 1e3),
+    'widestGap': Quantity('widest gap of the sizes', '', '', 1),
+    'steepestPart': Quantity('steepest part of the grading', '', '%', 100),
+    'fragmentsWidestGap': Quantity('widest gap of the fragments\' sizes', '', '', 1),
+    'fragmentsSteepestPart': Quantity('steepest part of the fragments\' grading', '', '%', 100),
+    'fractalDimension': Quantity('fractal dimension of the tail', '', '', 1),
+    'fractalFit': Quantity('correlation of its fit', '$r^2$', '', 1),
+    'rattlerShareBefore': Quantity('rattlers before', '', '%', 100),
+    'rattlerShare': Quantity('rattlers', '', '%', 100),
+    'contactNumberBefore': Quantity('contacts of a particle before', '', '', 1),
+    'contactNumber': Quantity('contacts of a particle', '', '', 1),
+    'carryingContactNumber': Quantity('contacts of a particle that is no rattler', '', '', 1),
+    'contactForce': Quantity('mean contact force', '', 'N', 1),
+    'carryingContactForce': Quantity('mean contact force without rattlers', '', 'N', 1),
+    'forceSpread': Quantity('scatter of the contact force', '', '', 1),
+    'carryingForceSpread': Quantity('scatter of the contact force without rattlers', '', '', 1),
+    'inertialNumberReached': Quantity('largest inertial number', '', '', 1),
+    'unbalancedForce': Quantity('unbalanced force', '', '', 1),
+    'plateOverBase': Quantity('stress on the plate over that on the base', '', '', 1),
+    'stepSeconds': Quantity('computing a step', '', 'ms', 1e3),
     'threads': Quantity('threads', '', '', 1),
 }
 
@@ -115,6 +151,11 @@ def signed(value):
 def xText(value):
     """An x value for readers, as it was given."""
     return f'{value:g}' if isNumber(value) else str(value)
+
+
+def counted(number, noun='run'):
+    """'1 run', '3 runs'."""
+    return f'{number} {noun}{"" if number == 1 else "s"}'
 
 
 def inUnit(y, value, digits=3):

@@ -26,8 +26,8 @@ def checkedStudy(content):
     """Check the content of a study file; the study with all optional entries filled in and numbers as numbers.
 
     :param content: dict, as read from the file
-    :returns: dict with title, experiment (its name), base, seeds, validations and groups; each group with all of GROUP_KEYS (x or variants is None) and
-        its name
+    :returns: dict with title, experiment (its name), base, seeds, validations and groups; each group with all of GROUP_KEYS (x or variants is
+        None) and its name
     :raises ValueError: naming the place and what is wrong there
     """
     study = _keys('study file', content, STUDY_KEYS, ('title', 'groups'))

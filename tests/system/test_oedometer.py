@@ -10,7 +10,7 @@ from yade.minieigenHP import Quaternion
 from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat
 import yade.superquadric as sq
 from yade.superquadric import oedometercase, oedometercomparison, oedometerreport, results
-from yade.superquadric.engines import minHalfSize
+from yade.superquadric.engines import engine, minHalfSize
 from yade.superquadric.oedometer import OedometerRun
 
 SMALL = dict(particles=25, width=0.09, young=2e7, characteristicStrength=3e4, maxStress=8e4, seatingStress=1e3, maxStrain=0.2, strainRate=3,
@@ -53,6 +53,13 @@ def test_whatBreaksIsConserved(small):
     assert abs(particles['volumeError']) < 1e-12 and particles['lost'] == 0
     assert all(events['value'] >= events['strength']) and all(events['size'] >= summary['parameters']['smallestSize'])
     assert all(events['children'] == 8) and summary['grading']['hardin'] > 0 and summary['breakage']['spinGains'] == 0
+
+
+@pytest.mark.parametrize('own, seed', ((None, 5), (7, 7)))
+def test_otherBedsHaveOtherStrengths(tmp_path, own, seed):
+    """Strengths follow the bed's seed unless they get one of their own: else the weakest of all beds would be equally weak."""
+    run(tmp_path, particles=3, seed=5, breakageSeed=own).run(until='compress')
+    assert engine(BreakageEngine).seed == seed
 
 
 def test_strainAndVoidRatioAreThoseOfThePlate(small):

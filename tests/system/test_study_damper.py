@@ -7,11 +7,13 @@ import subprocess
 import sys
 
 import numpy
+import pandas
 import pytest
 import yade
 import yaml
 from matplotlib.image import imread
 
+from yade.superquadric.study.dampers import DAMPERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
@@ -72,6 +74,12 @@ def test_finishedRunsAreNotDoneAgain(sweep):
     times = {path: path.stat().st_mtime_ns for path in folder.glob('vibrations/*/summary.json')}
     assert len(times) == len(plan['runs']) == 4 and '4 vibrations are finished' in run()
     assert {path: path.stat().st_mtime_ns for path in times} == times and not (folder / 'beds').exists()
+
+
+def test_concernsNameEachFrequencyOnce():
+    done = pandas.DataFrame({'frequency': [30.5, 20, 20, 20], 'balanceError': [0, 0.5, -0.5, 0.5], 'storedShare': [0.9, 0, 0, 0]})
+    account, steady = DAMPERS.concerns(done)
+    assert account.endswith('of the work: 20 Hz') and steady.endswith('dying out: 30.5 Hz')
 
 
 @pytest.mark.parametrize('change, message', [

@@ -19,7 +19,7 @@ from yade.superquadric.study.figures import _differenceText, checkFigure, drawFi
 from yade.superquadric.study.groupdata import GroupData
 from yade.superquadric.study.impacts import IMPACTS
 from yade.superquadric.study.page import drawStudy
-from yade.superquadric.study.quantities import QUANTITIES
+from yade.superquadric.study.quantities import QUANTITIES, counted
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
@@ -129,7 +129,8 @@ def test_concernsAreTold(tmp_path):
     table.loc[table.index[3], ['H', 'particles']] = [1.0, 50]   # of a number of particles that was asked for
     drawStudy(plan, table, tmp_path, tmp_path)
     page = (tmp_path / 'findings.md').read_text()
-    for concern in ('1 impacts were on beds that were not at rest', 'beds thicker or thinner than thicknessTolerance allows: 2', '2 impacts were not over'):
+    for concern in ('impacts on beds that were not at rest: 1', 'beds thicker or thinner than thicknessTolerance allows: 2',
+                    'impacts that were not over when the record ended: 2'):
         assert f'**Mind:** {concern}' in page
 
 
@@ -184,6 +185,10 @@ def test_commandNamesWhatIsWrong(drawn, tmp_path):
 def test_badFigures(name, spec, message):
     with pytest.raises(ValueError, match=message):
         checkFigure(name, spec, GROUP)
+
+
+def test_oneIsNotMany():
+    assert [counted(number) for number in (0, 1, 18)] == ['0 runs', '1 run', '18 runs'] and counted(1, 'bed') == '1 bed'
 
 
 def test_quantitiesAreColumnsOfTheTable():
