@@ -118,8 +118,8 @@ constexpr double isotropic = 1e-9;
 // Rounding of an energy of rotation, relative.
 constexpr double energyRounding = 1e-13;
 
-// Tessellations: so many points are a mistake in the error asked for (a sphere's takes about 5 of its radii over the error); and how sharply the
-// coarsest grid is searched for, as a ratio of errors.
+// Tessellations: more points are a mistake in the error asked for (a sphere takes about 5 times its radius over the error); and how sharply
+// the coarsest grid is searched for, as a ratio of errors.
 constexpr double tessellationPoints = 1e6;
 constexpr double tessellationSharpness = 1.02;
 

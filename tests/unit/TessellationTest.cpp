@@ -93,7 +93,8 @@ void expectClosed(const Tessellation& mesh)
 	EXPECT_EQ(int(mesh.points.size()) - int(edges.size()) / 2 + int(mesh.triangles.size()), 2);
 }
 
-// At every edge the corner across it lies below the triangle (but for rounding), so that the closed surface is convex; no triangle is a needle without area.
+// At every edge the corner across it lies below the triangle (but for rounding), so that the closed surface is convex; no triangle is a
+// needle without area.
 void expectConvex(const Tessellation& mesh, double size)
 {
 	std::map<std::pair<int, int>, int> across; // the third corner of the triangle which runs along the edge that way
