@@ -29,4 +29,5 @@ def tessellation(shape, error):
     if not isinstance(shape, Superquadric):
         raise ValueError(f'shape = {shape!r}: must be a Superquadric or a Sphere')
     points, normals, triangles, bound = shape.tessellation(error)
-    return Tessellation(*(numpy.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in ((points, float), (normals, float), (triangles, numpy.int32))), bound)
+    arrays = (numpy.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in ((points, float), (normals, float), (triangles, numpy.int32)))
+    return Tessellation(*arrays, bound)
