@@ -10,6 +10,8 @@ import numpy
 
 from . import checks
 
+SCENE = 5  # what lies farther behind or before the aim than so many of its radii is cut off by the camera
+
 
 def openView(size=(800, 800)):
     """YADE's 3D view, a `yade.qt.GLViewer` of `size` (width, height) in pixels; the one that is open already, or a new one.
@@ -31,7 +33,7 @@ def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
     center, radius = checks.vector('center', center), checks.positive('radius', radius)
     around, up = math.radians(checks.finite('azimuth', azimuth)), math.radians(checks.within('elevation', elevation, -90, 90))
     view.ortho = orthographic
-    view.sceneRadius = radius
+    view.sceneRadius = SCENE * radius
     view.viewDir = -math.cos(up) * math.cos(around), -math.cos(up) * math.sin(around), -math.sin(up)
     view.upVector = -math.sin(up) * math.cos(around), -math.sin(up) * math.sin(around), math.cos(up)
     view.fitSphere(center, radius)
@@ -42,7 +44,7 @@ def frame():
     image = _window().grabFramebuffer()
     image = image.convertToFormat(image.Format_RGB888)
     rows = numpy.frombuffer(image.constBits().asarray(image.byteCount()), numpy.uint8).reshape(image.height(), image.bytesPerLine())
-    return rows[:, :3 * image.width()].reshape(image.height(), image.width(), 3)
+    return rows[:, :3 * image.width()].reshape(image.height(), image.width(), 3).copy()
 
 
 def _window():

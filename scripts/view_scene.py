@@ -14,13 +14,14 @@ import numpy
 from PIL import Image
 from yade import O, qt
 from yade.superquadric import cylinderContainer, particleShape, rainFilling, randomOrientation
-from yade.superquadric import checkTimeStep, criticalTimeStep, superquadricEngines
+from yade.superquadric import checkTimeStep, criticalTimeStep, setHeight, superquadricEngines
 from yade.superquadric.view import aim, frame, openView
 from yade.wrapper import CurvatureMat
 
 COLOURS = {'cube': (0.85, 0.45, 0.13), 'cylinder': (0.13, 0.42, 0.70), 'ellipsoid': (0.25, 0.60, 0.25), 'sphere': (0.72, 0.18, 0.20)}
+GREY = 0.42, 0.45, 0.48
 RADIUS = 5e-3          # of the spheres of equal volume [m]
-CONTAINER = 0.04, 0.1  # radius and height [m]
+CONTAINER = 0.04, 0.06  # radius and height [m]
 FALL = 0.6             # [s], after which the particles lie
 ROUNDS = 9             # of frames, one of each kind of bodies
 
@@ -34,26 +35,27 @@ def material():
 
 
 def pour(each):
-    """A container with `each` particles of every kind, fallen to its base. Returns the container."""
+    """A container with `each` particles of every kind, fallen to its base."""
     glass = material()
     container = cylinderContainer(*CONTAINER, material=glass)
     names = [name for name in COLOURS for _ in range(each)]
     random.Random(1).shuffle(names)
-    ids, _ = rainFilling([shapeOf(name) for name in names], container, glass, seed=1)
+    ids, filled = rainFilling([shapeOf(name) for name in names], container, glass, seed=1)
     for i, name in zip(ids, names):
         O.bodies[i].shape.color = COLOURS[name]
     O.engines = superquadricEngines(gravity=(0, 0, -9.81))
     O.dt = checkTimeStep(0.1 * criticalTimeStep())
     O.run(int(FALL / O.dt), wait=True)
-    return container
+    setHeight(filled, container.height)
+    side = O.bodies[container.sideIds[0]].shape
+    side.wire, side.color = False, GREY
 
 
 def savePicture(path, pixels):
     """The scene smooth and as wire, side by side; each is drawn twice as large as shown, so that edges are smooth."""
     view, renderer = openView((2 * pixels, 2 * pixels)), qt.Renderer()
     view.axes, view.scale, view.timeDisp = False, False, ''
-    renderer.bgColor = 0.97, 0.97, 0.97
-    aim(view, (0, 0, 0.4 * CONTAINER[1]), 0.62 * CONTAINER[1])
+    aim(view, (0, 0, CONTAINER[1] / 2), 1.35 * CONTAINER[0], elevation=22)
     panels = []
     for wire in False, True:
         renderer.wire = wire

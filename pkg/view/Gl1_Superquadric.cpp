@@ -48,9 +48,11 @@ namespace {
 		return depth > 0 ? length * std::abs(projection[5]) / depth * viewport[3] / 2 : 0;
 	}
 
-	int detailFor(double pixels)
+	// For an error of one of the pixels that the largest half size takes; four of them will do for a net of lines.
+	int detailFor(double pixels, bool wire)
 	{
 		constexpr int coarsest = 2, finest = 12;
+		if (wire) pixels /= 4;
 		return int(std::min<double>(finest, std::max<double>(coarsest, std::round(std::log2(std::max(1.0, pixels))))));
 	}
 
@@ -141,11 +143,12 @@ void Gl1_Superquadric::go(const shared_ptr<Shape>& shape, const shared_ptr<State
 {
 	const superquadric::Shape& solid = static_cast<const Superquadric&>(*shape).solid();
 	const Real size = solid.halfSizes().maxCoeff();
-	const Look look { proportions(solid), detailFor(pixelsOf(size) * std::max(1e-3, quality)), wire || wireAll };
+	const bool lines = wire || wireAll;
+	const Look look { proportions(solid), detailFor(pixelsOf(size) * std::max(1e-3, quality), lines), lines };
 	glEnable(GL_NORMALIZE);
 	glColor3dv(shape->color.data());
 	glScaled(size, size, size);
-	draw(keptDrawingOf(look), look.wire, stripes);
+	draw(keptDrawingOf(look), lines, stripes);
 }
 
 } // namespace yade

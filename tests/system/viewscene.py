@@ -1,4 +1,5 @@
-"""Bodies of one pure colour each in YADE's 3D view, for test_view.py: `xvfb-run -a yade -x viewscene.py FILE` saves its pictures and what they show."""
+"""Bodies of one pure colour each in YADE's 3D view, for test_view.py: `xvfb-run -a yade -x viewscene.py FILE` saves pictures of them and
+their boxes."""
 import os
 import sys
 
@@ -25,12 +26,13 @@ def place(i):
 
 
 def build():
-    """Returns half the width and height [m] of each body as the camera sees it: a row of (colour, half width, half height, area)."""
+    """Append the bodies; returns half the width and half the height [m] of all but the sphere, as the camera sees them."""
     O.materials.append(CurvatureMat())
     O.bodies.append(utils.sphere(place(0), 1, color=COLOURS['red']))
     for i, (name, (extents, n1, n2, orientation)) in enumerate(BODIES.items(), 1):
         O.bodies.append(superquadric(place(i), extents, n1, n2, orientation=orientation, color=COLOURS[name]))
-    return {name: O.bodies[i].shape.boxHalfExtents(O.bodies[i].state.ori)[::2] for i, name in enumerate(BODIES, 1)}
+    boxes = [O.bodies[i].shape.boxHalfExtents(O.bodies[i].state.ori) for i in range(1, len(COLOURS))]
+    return [(box[0], box[2]) for box in boxes]
 
 
 def addContainer(wire):
@@ -58,9 +60,11 @@ def main(path):
     pictures['container'] = frame()
     O.bodies[container].shape.wire = True
     pictures['wireContainer'] = frame()
-    O.bodies[container].shape.wire, O.bodies[container].shape.height, Gl1_HollowCylinder.div = False, float('inf'), -1
+    O.bodies[container].shape.wire, O.bodies[container].shape.height = False, float('inf')
     pictures['endless'] = frame()
-    numpy.savez(path, boxes=numpy.array([boxes[name] for name in BODIES]), **pictures)
+    Gl1_HollowCylinder.div = -1  # as if it were 3
+    pictures['threeSided'] = frame()
+    numpy.savez(path, boxes=numpy.array(boxes), **pictures)
 
 
 main(sys.argv[1])
