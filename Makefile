@@ -28,8 +28,8 @@ study-quick:
 	@tools/env --with study python3 scripts/study.py scripts/study/quick.yaml --output results/study-quick
 
 test:
-	@tools/env --with study --with fem --target all true || { echo '0 passed, 1 failed'; exit 1; }
-	@tools/env --with study --with fem tests/run
+	@tools/env --with study --with fem --with view --target all true || { echo '0 passed, 1 failed'; exit 1; }
+	@tools/env --with study --with fem --with view tests/run
 
 bench:
 	@tools/env --with bench --target kernel_bench tests/bench/run

@@ -62,3 +62,9 @@ if("MPI" IN_LIST YADE_features)
   find_package(MPI REQUIRED COMPONENTS CXX)
   target_link_libraries(yade_host INTERFACE MPI::MPI_CXX)
 endif()
+
+# The 3D view.
+if("YADE_OPENGL" IN_LIST yadeMacros)
+  find_package(OpenGL REQUIRED)
+  target_link_libraries(yade_host INTERFACE OpenGL::GL)
+endif()

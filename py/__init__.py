@@ -19,11 +19,12 @@ from .run import ImpactRun
 from .settling import RestCriterion, scaleStiffness, settle, stiffen
 from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
+from .tessellation import Tessellation, tessellation
 from .version import __version__
 
 __all__ = [
-    'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper',
+    'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Tessellation',
     'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
     'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse',
     'rainFilling', 'randomOrientation', 'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
-    'superquadricEngines', '__version__']
+    'superquadricEngines', 'tessellation', '__version__']

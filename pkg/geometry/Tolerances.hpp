@@ -118,4 +118,9 @@ constexpr double isotropic = 1e-9;
 // Rounding of an energy of rotation, relative.
 constexpr double energyRounding = 1e-13;
 
+// Tessellations: more points are a mistake in the error asked for (a sphere takes about 5 times its radius over the error); and how sharply
+// the coarsest grid is searched for, as a ratio of errors.
+constexpr double tessellationPoints = 1e6;
+constexpr double tessellationSharpness = 1.02;
+
 } // namespace superquadric::tolerances

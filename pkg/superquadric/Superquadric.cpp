@@ -5,10 +5,23 @@
 #include <pkg/geometry/Bounds.hpp>
 #include <pkg/geometry/Curvature.hpp>
 #include <pkg/geometry/MassProperties.hpp>
+#include <pkg/geometry/Tessellation.hpp>
 
 namespace yade {
 
 YADE_PLUGIN((Superquadric));
+
+namespace {
+
+	// The rows as they lie in memory.
+	template <class Row> boost::python::object bytesOf(const std::vector<Row>& rows)
+	{
+		static_assert(std::is_same<Row, Vector3r>::value || std::is_same<Row, std::array<int, 3>>::value, "rows of three numbers without gaps");
+		const char* begin = reinterpret_cast<const char*>(rows.data());
+		return boost::python::object(boost::python::handle<>(PyBytes_FromStringAndSize(begin, Py_ssize_t(rows.size() * sizeof(Row)))));
+	}
+
+} // namespace
 
 void Superquadric::postLoad(Superquadric&)
 {
@@ -70,6 +83,12 @@ Vector3r Superquadric::boxHalfExtents(const Quaternionr& orientation) const
 {
 	requirePositive("the norm of orientation", orientation.norm());
 	return superquadric::boxHalfExtents(valid, orientation.normalized().toRotationMatrix());
+}
+
+boost::python::tuple Superquadric::tessellation(Real error) const
+{
+	const superquadric::Tessellation mesh = superquadric::tessellate(valid, error);
+	return boost::python::make_tuple(bytesOf(mesh.points), bytesOf(mesh.normals), bytesOf(mesh.triangles), mesh.error);
 }
 
 } // namespace yade

@@ -31,6 +31,7 @@ public:
 	Real meanCurvature(const Vector3r& point) const;
 	Vector3r boxHalfExtents(const Quaternionr& orientation) const;
 	Real boundingRadius() const { return valid.boundingRadius(); }
+	boost::python::tuple tessellation(Real error) const;
 
 	// By value: a reference would let `shape.extents[0] = -1` pass unchecked.
 	Vector3r getExtents() const { return extents; }
@@ -67,6 +68,11 @@ private:
 		.def("boundingRadius", &Superquadric::boundingRadius, "Radius of the smallest sphere about the centre that holds the body [m].")
 		.def("meanCurvature", &Superquadric::meanCurvature, (boost::python::arg("point")),
 			"Mean curvature [1/m], eq. (10), positive: where the ray from the centre through the point leaves the body. ValueError for the centre.")
+		.def("tessellation", &Superquadric::tessellation, (boost::python::arg("error")),
+			"Closed convex surface of triangles, inscribed, whose largest distance from the surface is at most `error` [m]: (points, normals, triangles, error). "
+			"The first three are bytes, row after row: N x 3 float64 [m], N x 3 float64, M x 3 int32 (indices of points, counterclockwise from outside); the "
+			"last is the bound that holds [m]. ValueError for an error that is not positive, or too small for a million points. "
+			":yref:`yade.superquadric.tessellation` gives arrays.")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(Superquadric, Shape);
