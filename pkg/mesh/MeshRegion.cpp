@@ -17,6 +17,9 @@
 
 #include <pkg/geometry/Bounds.hpp>
 
+#include <algorithm>
+#include <numeric>
+
 namespace superquadric {
 
 namespace {
@@ -65,6 +68,34 @@ namespace {
 		}
 		work.clip({ sign * normal, sign * normal.dot(triangle[0]) });
 		return sign * work.volume();
+	}
+
+	bool reachesBelow(const Triangle& triangle, int axis, double at) { return std::min({ triangle[0][axis], triangle[1][axis], triangle[2][axis] }) < at; }
+	bool reachesAbove(const Triangle& triangle, int axis, double at) { return std::max({ triangle[0][axis], triangle[1][axis], triangle[2][axis] }) > at; }
+
+	// Signed volume of the part of the solid, which lies in the box, before all the triangles. Where they are many, the solid is halved across u, each half with the triangles that
+	// are before it, until they are few or no fewer for the half.
+	double volumeBefore(const std::vector<Triangle>& triangles, const Vector3& u, const ClippedSolid& solid, const Box& box)
+	{
+		constexpr std::size_t few = 4;
+		Vector3 widths = box.high - box.low;
+		widths -= widths.cwiseProduct(u.cwiseAbs());
+		int axis;
+		widths.maxCoeff(&axis);
+		const double at = (box.low[axis] + box.high[axis]) / 2;
+		std::vector<Triangle> below, above;
+		std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(below), [&](const Triangle& t) { return reachesBelow(t, axis, at); });
+		std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(above), [&](const Triangle& t) { return reachesAbove(t, axis, at); });
+		if (triangles.size() <= few || std::max(below.size(), above.size()) == triangles.size()) {
+			ClippedSolid work = solid;
+			return std::accumulate(triangles.begin(), triangles.end(), 0.0, [&](double sum, const Triangle& t) { return sum + volumeBefore(t, u, solid, work); });
+		}
+		ClippedSolid lower = solid, upper = solid;
+		lower.clip({ Vector3::Unit(axis), at });
+		upper.clip({ -Vector3::Unit(axis), -at });
+		Box lowerBox = box, upperBox = box;
+		lowerBox.high[axis] = upperBox.low[axis] = at;
+		return volumeBefore(below, u, lower, lowerBox) + volumeBefore(above, u, upper, upperBox);
 	}
 
 } // namespace
@@ -134,11 +165,10 @@ double MeshRegion::volumeWithin(const ClippedSolid& solid, const Placement& body
 				u = (up ? 1 : -1) * Vector3::Unit(axis);
 			}
 		}
-	double sum = 0;
-	ClippedSolid work = solid;
+	std::vector<Triangle> triangles;
 	for (const auto face : fewest)
-		sum += volumeBefore(search_->corners(face), u, solid, work);
-	return sum;
+		triangles.push_back(search_->corners(face));
+	return volumeBefore(triangles, u, solid, boxOf(body));
 }
 
 } // namespace superquadric

@@ -70,7 +70,7 @@ TEST(ClippedSolid, WedgeOfACylinder)
 TEST(ClippedSolid, CapsOfEllipsoids)
 {
 	const Vector3 sizes(1, 2, 0.5);
-	const Tessellation tessellation = tessellate(Shape(sizes, 2, 2), 1e-4);
+	const Tessellation tessellation = tessellate(Shape(sizes, 2, 2), 1e-3);
 	const ClippedSolid ellipsoid(tessellation.points, tessellation.triangles, Matrix3::Identity(), Vector3::Zero());
 	const double missing = 4 * pi / 3 * sizes.prod() - ellipsoid.volume();
 	RandomBodies random(5);
