@@ -9,8 +9,9 @@ from . import checks
 from .meshes import Surface, readSurface
 
 # Corners are numbered by the bits x, y, z; triangles face outward.
-_BOX_TRIANGLES = np.array([(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
+BOX_TRIANGLES = np.array([(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
                            (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)], dtype=np.int32)
+ALL = np.zeros((0, 4))  # no half spaces: all of space
 
 
 @dataclass(frozen=True)
@@ -36,37 +37,14 @@ class Box:
         unit = np.eye(3)
         return np.vstack([np.column_stack([unit, self.high]), np.column_stack([-unit, np.negative(self.low)])])
 
-    def corners(self):
-        """(8, 3) [m]"""
-        return np.array([[(self.low, self.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])
+    def volumeCut(self, halfSpaces):
+        """Volume [m3] of what lies in the `halfSpaces` (K, 4), too."""
+        corners = np.array([[(self.low, self.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)])
+        return MeshFunctions.volume(corners, BOX_TRIANGLES, halfSpaces)
 
-    def solidVolumes(self, particles, accuracy):
-        """Bounds and estimates (N, 3) of the particles' volumes inside [m3]; `particles` (N, 17) as in `MeshFunctions`."""
-        return _inHalfSpaces(particles, accuracy, self.halfSpaces())
-
-
-@dataclass(frozen=True)
-class HalfSpaces:
-    """What lies in the `box` and in all of the half spaces n.x <= d, given as `planes`: pairs (n, d) of a normal and a distance [m] (n is normalised)."""
-    planes: tuple
-    box: Box
-
-    def __post_init__(self):
-        if not isinstance(self.box, Box):
-            raise ValueError(f'box = {self.box!r}: must be a Box')
-        object.__setattr__(self, 'planes', tuple(_plane(i, plane) for i, plane in enumerate(self.planes)))
-
-    @property
-    def volume(self):
-        """[m3]"""
-        return MeshFunctions.volume(self.box.corners(), _BOX_TRIANGLES, self._cuts())
-
-    def solidVolumes(self, particles, accuracy):
-        """As `Box.solidVolumes`."""
-        return _inHalfSpaces(particles, accuracy, np.vstack([self.box.halfSpaces(), self._cuts()]))
-
-    def _cuts(self):
-        return np.array([(*normal, distance) for normal, distance in self.planes]).reshape(-1, 4)
+    def solidVolumes(self, particles, accuracy, halfSpaces=ALL):
+        """Bounds and estimates (N, 3) of the particles' volumes inside [m3]; `particles` (N, 17) and `halfSpaces` (K, 4) as in `MeshFunctions`."""
+        return _inHalfSpaces(particles, accuracy, np.vstack([self.halfSpaces(), halfSpaces]))
 
 
 @dataclass(frozen=True)
@@ -121,23 +99,51 @@ class Mesh:
     volume: float = field(init=False)  #: [m3]
 
     def __post_init__(self):
-        facing = self.surface.check(closed=True)
-        volume = MeshFunctions.volume(self.surface.points, self.surface.triangles, np.zeros((0, 4)))
-        object.__setattr__(self, 'volume', volume if facing == 'outward' else -volume)
+        self.surface.check(closed=True)
+        object.__setattr__(self, 'volume', self.volumeCut(ALL))
 
     @classmethod
     def ofStl(cls, path, **placing):
         """Of an STL file; `placing` as in `readSurface`."""
         return cls(readSurface(path, **placing))
 
+    def volumeCut(self, halfSpaces):
+        """As `Box.volumeCut`."""
+        return abs(MeshFunctions.volume(self.surface.points, self.surface.triangles, halfSpaces))
+
     def contains(self, points):
         """Which of the `points` (N, 3) [m] are inside, (N,) bool."""
         questions = np.ascontiguousarray(points, dtype=float).reshape(-1, 3)
         return np.frombuffer(MeshFunctions.contained(self.surface.points, self.surface.triangles, self.surface.name, questions), dtype=bool)
 
+    def solidVolumes(self, particles, accuracy, halfSpaces=ALL):
+        """As `Box.solidVolumes`."""
+        return _rows(MeshFunctions.volumesInMesh(np.ascontiguousarray(particles), accuracy, self.surface.points, self.surface.triangles, self.surface.name,
+                                                 halfSpaces))
+
+
+@dataclass(frozen=True)
+class HalfSpaces:
+    """What lies `within` a `Box` or a `Mesh` and in all of the half spaces n.x <= d: `planes` are pairs (n, d) of a normal and a distance [m]; n is normalised."""
+    planes: tuple
+    within: object
+
+    def __post_init__(self):
+        if not isinstance(self.within, (Box, Mesh)):
+            raise ValueError(f'within = {self.within!r}: must be a Box or a Mesh')
+        object.__setattr__(self, 'planes', tuple(_plane(i, plane) for i, plane in enumerate(self.planes)))
+
+    @property
+    def volume(self):
+        """[m3]"""
+        return self.within.volumeCut(self._rows())
+
     def solidVolumes(self, particles, accuracy):
         """As `Box.solidVolumes`."""
-        return _rows(MeshFunctions.volumesInMesh(np.ascontiguousarray(particles), accuracy, self.surface.points, self.surface.triangles, self.surface.name))
+        return self.within.solidVolumes(particles, accuracy, self._rows())
+
+    def _rows(self):
+        return np.array([(*normal, distance) for normal, distance in self.planes]).reshape(-1, 4)
 
 
 def _plane(i, plane):

@@ -30,12 +30,12 @@ Region::Holds ConvexRegion::holds(const Placement& body) const
 	return result;
 }
 
-double ConvexRegion::volumeWithin(const ClippedSolid& solid, const Placement& body) const
+ClippedSolid ConvexRegion::partWithin(const ClippedSolid& solid, const Placement& body) const
 {
 	ClippedSolid part = solid;
 	for (const HalfSpace& halfSpace : halfSpaces_)
 		if (reachOutside(body, halfSpace).most > 0) part.clip(halfSpace);
-	return part.volume();
+	return part;
 }
 
 } // namespace superquadric

@@ -26,7 +26,8 @@ class ConvexRegion : public Region {
 public:
 	explicit ConvexRegion(std::vector<HalfSpace> halfSpaces) : halfSpaces_(std::move(halfSpaces)) { }
 	Holds holds(const Placement& body) const override;
-	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override;
+	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override { return partWithin(solid, body).volume(); }
+	ClippedSolid partWithin(const ClippedSolid& solid, const Placement& body) const;
 
 private:
 	std::vector<HalfSpace> halfSpaces_;
@@ -47,6 +48,24 @@ public:
 private:
 	struct Search;
 	std::unique_ptr<Search> search_;
+};
+
+// What a closed surface encloses, between planes: a hopper up to the level of its filling.
+class CutMeshRegion : public Region {
+public:
+	CutMeshRegion(const MeshRegion& mesh, const ConvexRegion& planes) : mesh_(mesh), planes_(planes) { }
+	Holds holds(const Placement& body) const override
+	{
+		const Holds planes = planes_.holds(body);
+		if (planes == Holds::nothing) return planes;
+		const Holds mesh = mesh_.holds(body);
+		return mesh == Holds::all ? planes : mesh;
+	}
+	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override { return mesh_.volumeWithin(planes_.partWithin(solid, body), body); }
+
+private:
+	const MeshRegion& mesh_;
+	const ConvexRegion& planes_;
 };
 
 } // namespace superquadric

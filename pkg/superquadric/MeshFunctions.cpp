@@ -100,9 +100,12 @@ object MeshFunctions::volumesInHalfSpaces(const object& particles, Real accuracy
 	return volumesWithin(particles, superquadric::ConvexRegion(halfSpacesOf(halfSpaces)), accuracy);
 }
 
-object MeshFunctions::volumesInMesh(const object& particles, Real accuracy, const object& points, const object& triangles, const std::string& name)
+object MeshFunctions::volumesInMesh(const object& particles, Real accuracy, const object& points, const object& triangles, const std::string& name,
+	                                const object& halfSpaces)
 {
-	return volumesWithin(particles, superquadric::MeshRegion(meshOf(points, triangles), name), accuracy);
+	const superquadric::MeshRegion mesh(meshOf(points, triangles), name);
+	const superquadric::ConvexRegion planes(halfSpacesOf(halfSpaces));
+	return volumesWithin(particles, superquadric::CutMeshRegion(mesh, planes), accuracy);
 }
 
 } // namespace yade

@@ -14,7 +14,7 @@ public:
 	                                       const boost::python::object& questions);
 	static boost::python::object volumesInHalfSpaces(const boost::python::object& particles, Real accuracy, const boost::python::object& halfSpaces);
 	static boost::python::object volumesInMesh(const boost::python::object& particles, Real accuracy, const boost::python::object& points,
-	                                           const boost::python::object& triangles, const std::string& name);
+	                                           const boost::python::object& triangles, const std::string& name, const boost::python::object& halfSpaces);
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(MeshFunctions, Serializable,
@@ -34,8 +34,8 @@ public:
 		.def("volumesInHalfSpaces", &MeshFunctions::volumesInHalfSpaces, (boost::python::arg("particles"), boost::python::arg("accuracy"), boost::python::arg("halfSpaces")),
 			"Lower bound, estimate, upper bound [m^3] of the volume of each particle in all of the half spaces: P x 3 float64. Particles that are cut are replaced by tessellations within "
 			"`accuracy` times their smallest half size; the bounds hold for the particles themselves.").staticmethod("volumesInHalfSpaces")
-		.def("volumesInMesh", &MeshFunctions::volumesInMesh, (boost::python::arg("particles"), boost::python::arg("accuracy"), boost::python::arg("points"), boost::python::arg("triangles"), boost::python::arg("name")),
-			"The same in what a closed surface encloses, convex or not, whichever way it faces.").staticmethod("volumesInMesh")
+		.def("volumesInMesh", &MeshFunctions::volumesInMesh, (boost::python::arg("particles"), boost::python::arg("accuracy"), boost::python::arg("points"), boost::python::arg("triangles"), boost::python::arg("name"), boost::python::arg("halfSpaces")),
+			"The same in what a closed surface encloses, convex or not, whichever way it faces, and in all of the half spaces.").staticmethod("volumesInMesh")
 	);
 	// clang-format on
 };

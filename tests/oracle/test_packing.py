@@ -70,7 +70,9 @@ CASES = {
     'half spaces': (regions.HalfSpaces(PLANES, regions.Box((-0.05, -0.05, 0), (0.05, 0.05, 0.06))),
                     lambda x: np.all((np.abs(x[:, :2]) <= 0.05), axis=1) & (x[:, 2] >= 0) & (x[:, 2] <= 0.06)
                     & np.all([x @ np.array(n) / np.linalg.norm(n) <= d for n, d in PLANES], axis=0)),
-    'mesh': (regions.Mesh(star(*STAR)), lambda x: inStar(x, *STAR))}
+    'mesh': (regions.Mesh(star(*STAR)), lambda x: inStar(x, *STAR)),
+    'mesh up to a plane': (regions.HalfSpaces((((0.2, 0, 1), 0.03),), regions.Mesh(star(*STAR))),
+                           lambda x: inStar(x, *STAR) & (x @ (0.2, 0, 1) <= 0.03 * math.hypot(0.2, 1)))}
 
 
 @pytest.mark.parametrize('name', CASES)
@@ -116,6 +118,7 @@ def test_wholeParticlesAreExact(bed):
 def test_volumesOfRegions():
     assert regions.HalfSpaces((((1, 1, 1), 1 / math.sqrt(3)),), regions.Box((0, 0, 0), (1, 1, 1))).volume == pytest.approx(1 / 6)
     assert CASES['mesh'][0].volume == pytest.approx(5 * STAR[0] * STAR[1] * math.sin(math.pi / 5) * (STAR[3] - STAR[2]))
+    assert regions.HalfSpaces((((0, 0, -1), -0.02),), CASES['mesh'][0]).volume == pytest.approx(CASES['mesh'][0].volume * (STAR[3] - 0.02) / (STAR[3] - STAR[2]))
     surface = star(*STAR)
     assert regions.Mesh(sq.Surface(surface.points, surface.triangles[:, ::-1])).volume == pytest.approx(CASES['mesh'][0].volume)
 
@@ -146,7 +149,7 @@ def alone(snapshot):
 @pytest.mark.parametrize('make, complaint', (
     (lambda: regions.Box((0, 0, 0), (1, -1, 1)), 'high = '), (lambda: regions.Cylinder(0, (0, 0, 0), (0, 0, 1)), 'radius = 0'),
     (lambda: regions.Cylinder(1, (0, 0, 1), (0, 0, 1)), 'top = '), (lambda: regions.HalfSpaces((((0, 0, 0), 1),), regions.Box((0, 0, 0), (1, 1, 1))), 'must not be zero'),
-    (lambda: regions.HalfSpaces((), None), 'box = None'), (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
+    (lambda: regions.HalfSpaces((), None), 'within = None'), (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
     (lambda: sq.packingFraction([], regions.Box((0, 0, 0), (1, 1, 1)), accuracy=0), 'accuracy = 0')))
 def test_badInput(make, complaint):
     with pytest.raises(ValueError, match=complaint):

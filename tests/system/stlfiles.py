@@ -24,5 +24,5 @@ def revolved(profile, sides, name='bin'):
 
 def cube(size=1.0):
     """The cube [0, size]^3, facing outward."""
-    box = sq.regions.Box((0, 0, 0), (size,) * 3)
-    return sq.Surface(box.corners(), sq.regions._BOX_TRIANGLES, 'cube')
+    corners = [[size * (i >> axis & 1) for axis in range(3)] for i in range(8)]
+    return sq.Surface(corners, sq.regions.BOX_TRIANGLES, 'cube')
