@@ -26,9 +26,10 @@ from .tessellation import Tessellation, tessellation
 from .version import __version__
 
 __all__ = [
-    'Container', 'ImpactRun', 'Interrupted', 'Measured', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Surface', 'Tessellation',
+    'Container', 'ImpactRun', 'Interrupted', 'Measured', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Surface',
+    'Tessellation',
     'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
     'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'packingFraction', 'particleNumber',
     'particleShape', 'particlesToStl', 'pulse',
-    'rainFilling', 'randomOrientation', 'readSurface', 'recordImpact', 'regions', 'scaleStiffness', 'setHeight', 'settle', 'solidVolume', 'solverCounters', 'stiffen',
-    'stlContainer', 'superquadric', 'superquadricEngines', 'tessellation', 'writeStl', '__version__']
+    'rainFilling', 'randomOrientation', 'readSurface', 'recordImpact', 'regions', 'scaleStiffness', 'setHeight', 'settle', 'solidVolume',
+    'solverCounters', 'stiffen', 'stlContainer', 'superquadric', 'superquadricEngines', 'tessellation', 'writeStl', '__version__']

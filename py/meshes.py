@@ -27,9 +27,12 @@ class Surface:
         object.__setattr__(self, 'triangles', _table('triangles', self.triangles, np.int32))
 
     def check(self, closed=True):
-        """'outward', 'inward' or (without `closed`) 'open': how the triangles face. ValueError that says all that is wrong, how often and where first:
-        numbers that are not finite, triangles without an area, edges with one triangle only (if it shall be closed) or with more than two, triangles turned over,
-        parts that meet in a single point, triangles that go through each other, parts that face opposite ways."""
+        """'outward', 'inward' or (without `closed`) 'open': how the triangles face.
+
+        :raises ValueError: says all that is wrong, how often and where first: numbers that are not finite, triangles without an area, edges with one
+            triangle only (if it shall be closed) or with more than two, triangles turned over, parts that meet in a single point, triangles that go
+            through each other, parts that face opposite ways
+        """
         return MeshFunctions.check(self.points, self.triangles, self.name, closed)
 
 

@@ -15,8 +15,9 @@ Measured.__doc__ = """A measured number with bounds: the true one lies in [low, 
 def solidVolume(particles, region, accuracy=ACCURACY):
     """Volume of the particles in a region [m3].
 
-    Particles wholly inside count with their closed form. Those at the border are cut, as tessellations that lie in them: so the cut volume is at least
-    that of the tessellation, and exceeds it by what the whole particle exceeds its whole tessellation by at most. Particles that overlap count twice where they do.
+    Particles wholly inside count with their closed form. Those at the border are cut, as tessellations that lie in them: the cut volume is at
+    least that of the tessellation, and exceeds it at most by what the whole particle has beyond its whole tessellation. Where particles overlap they
+    count twice.
 
     :param particles: `Snapshot`, or ids of bodies (spheres and superquadrics count, others do not)
     :param region: `Box`, `Cylinder`, `HalfSpaces` or `Mesh`

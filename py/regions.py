@@ -51,8 +51,8 @@ class Box:
 class Cylinder:
     """The cylinder of `radius` [m] round the axis from the point `base` to the point `top` [m].
 
-    Solid in it has bounds by an inscribed and a circumscribed prism, closer to it than particles are to their tessellations; the estimate is that of a
-    prism of the same cross section.
+    Solid in it has bounds by an inscribed and a circumscribed prism, closer to it than particles are to their tessellations; the estimate is
+    that of a prism of the same cross section.
     """
     radius: float
     base: tuple
@@ -118,13 +118,16 @@ class Mesh:
 
     def solidVolumes(self, particles, accuracy, halfSpaces=ALL):
         """As `Box.solidVolumes`."""
-        return _rows(MeshFunctions.volumesInMesh(np.ascontiguousarray(particles), accuracy, self.surface.points, self.surface.triangles, self.surface.name,
-                                                 halfSpaces))
+        return _rows(MeshFunctions.volumesInMesh(np.ascontiguousarray(particles), accuracy, self.surface.points, self.surface.triangles,
+                                                 self.surface.name, halfSpaces))
 
 
 @dataclass(frozen=True)
 class HalfSpaces:
-    """What lies `within` a `Box` or a `Mesh` and in all of the half spaces n.x <= d: `planes` are pairs (n, d) of a normal and a distance [m]; n is normalised."""
+    """What lies `within` a `Box` or a `Mesh` and in all of the half spaces n.x <= d.
+
+    `planes` are pairs (n, d) of a normal and a distance [m]; n is normalised.
+    """
     planes: tuple
     within: object
 

@@ -1,5 +1,5 @@
-// What the files of this folder use of CGAL. No header of the project includes this one, and the library hides all its symbols (CMakeLists.txt), so that a YADE
-// with a CGAL of its own never meets ours.
+// What the files of this folder use of CGAL. No header of the project includes this one, and the library hides all its symbols (CMakeLists.txt), so
+// that a YADE with a CGAL of its own never meets ours.
 #pragma once
 
 #include "TriangleMesh.hpp"

@@ -15,7 +15,8 @@ namespace {
 
 } // namespace
 
-ClippedSolid::ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation, const Vector3& shift)
+ClippedSolid::ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation,
+                           const Vector3& shift)
 {
 	corners_.reserve(3 * triangles.size());
 	ends_.reserve(triangles.size());

@@ -70,7 +70,8 @@ namespace {
 	{
 		Defect found { "triangles without an area" };
 		for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-			if (CGAL::collinear(cgal::pointOf(mesh.corner(i, 0)), cgal::pointOf(mesh.corner(i, 1)), cgal::pointOf(mesh.corner(i, 2)))) found.add(cornersOf(mesh, i));
+			if (CGAL::collinear(cgal::pointOf(mesh.corner(i, 0)), cgal::pointOf(mesh.corner(i, 1)), cgal::pointOf(mesh.corner(i, 2))))
+				found.add(cornersOf(mesh, i));
 		return found;
 	}
 

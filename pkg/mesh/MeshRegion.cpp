@@ -1,6 +1,7 @@
-// The part of a body that a closed surface encloses. Seen along any direction u, a point is inside when the triangles that lie ahead of it along u, counted with the signs of n.u,
-// sum up to 1. So the volume is the sum over the triangles of that of the part of the body before each: what four half spaces leave of it, three of them along u through the triangle's
-// edges. This needs neither convexity nor any decision that rounding could get wrong: every summand depends on the coordinates continuously, triangles along u count nothing.
+// The part of a body that a closed surface encloses. Seen along any direction u, a point is inside when the triangles that lie ahead of it along u,
+// counted with the signs of n.u, sum up to 1. So the volume is the sum over the triangles of that of the part of the body before each: what four half
+// spaces leave of it, three of them along u through the triangle's edges. This needs neither convexity nor any decision that rounding could get
+// wrong: every summand depends on the coordinates continuously, triangles along u count nothing.
 #include "Region.hpp"
 
 #include "Cgal.hpp"
@@ -70,11 +71,11 @@ namespace {
 		return sign * work.volume();
 	}
 
-	bool reachesBelow(const Triangle& triangle, int axis, double at) { return std::min({ triangle[0][axis], triangle[1][axis], triangle[2][axis] }) < at; }
-	bool reachesAbove(const Triangle& triangle, int axis, double at) { return std::max({ triangle[0][axis], triangle[1][axis], triangle[2][axis] }) > at; }
+	bool reachesBelow(const Triangle& t, int axis, double at) { return std::min({ t[0][axis], t[1][axis], t[2][axis] }) < at; }
+	bool reachesAbove(const Triangle& t, int axis, double at) { return std::max({ t[0][axis], t[1][axis], t[2][axis] }) > at; }
 
-	// Signed volume of the part of the solid, which lies in the box, before all the triangles. Where they are many, the solid is halved across u, each half with the triangles that
-	// are before it, until they are few or no fewer for the half.
+	// Signed volume of the part of the solid, which lies in the box, before all the triangles. Where they are many, the solid is halved across u,
+	// each half with the triangles that are before it, until they are few or no fewer for the half.
 	double volumeBefore(const std::vector<Triangle>& triangles, const Vector3& u, const ClippedSolid& solid, const Box& box)
 	{
 		constexpr std::size_t few = 4;
@@ -88,7 +89,8 @@ namespace {
 		std::copy_if(triangles.begin(), triangles.end(), std::back_inserter(above), [&](const Triangle& t) { return reachesAbove(t, axis, at); });
 		if (triangles.size() <= few || std::max(below.size(), above.size()) == triangles.size()) {
 			ClippedSolid work = solid;
-			return std::accumulate(triangles.begin(), triangles.end(), 0.0, [&](double sum, const Triangle& t) { return sum + volumeBefore(t, u, solid, work); });
+			return std::accumulate(triangles.begin(), triangles.end(), 0.0,
+			                       [&](double sum, const Triangle& triangle) { return sum + volumeBefore(triangle, u, solid, work); });
 		}
 		ClippedSolid lower = solid, upper = solid;
 		lower.clip({ Vector3::Unit(axis), at });

@@ -61,7 +61,10 @@ public:
 		const Holds mesh = mesh_.holds(body);
 		return mesh == Holds::all ? planes : mesh;
 	}
-	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override { return mesh_.volumeWithin(planes_.partWithin(solid, body), body); }
+	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override
+	{
+		return mesh_.volumeWithin(planes_.partWithin(solid, body), body);
+	}
 
 private:
 	const MeshRegion& mesh_;

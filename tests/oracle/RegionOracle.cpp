@@ -1,5 +1,5 @@
-// Solid in a region against two independent methods: Monte Carlo with the shapes themselves, whose standard error is known; and for the tessellations CGAL's corefinement, which
-// cuts surface with surface.
+// Solid in a region against two independent methods: Monte Carlo with the shapes themselves, whose standard error is known; and for the tessellations
+// CGAL's corefinement, which cuts surface with surface.
 #include <pkg/geometry/MassProperties.hpp>
 #include <pkg/geometry/Tessellation.hpp>
 #include <pkg/mesh/SolidVolume.hpp>
@@ -35,7 +35,8 @@ struct Bed {
 		for (int i = 0; i < 5; ++i)
 			shapes.push_back(random.shape(0.25));
 		for (int i = 0; i < number; ++i)
-			bodies.emplace_back(shapes[std::size_t(i % 5)], 1.2 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)), random.rotation());
+			bodies.emplace_back(shapes[std::size_t(i % 5)],
+			                    1.2 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)), random.rotation());
 	}
 };
 
@@ -84,7 +85,8 @@ void expectWithinMonteCarlo(const Region& region, const std::function<bool(const
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Surface = CGAL::Surface_mesh<Kernel::Point_3>;
 
-template <class Transform> Surface surfaceOf(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Transform& transform)
+template <class Transform>
+Surface surfaceOf(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Transform& transform)
 {
 	std::vector<Kernel::Point_3> moved;
 	for (const Vector3& point : points) {
@@ -100,7 +102,8 @@ template <class Transform> Surface surfaceOf(const std::vector<Vector3>& points,
 
 TEST(RegionOracle, HalfSpacesAgainstMonteCarlo)
 {
-	std::vector<HalfSpace> halfSpaces { { Vector3(1, 1, 0).normalized(), 0.5 }, { Vector3(-1, 0.5, 0.2).normalized(), 0.6 }, { Vector3(0, -1, 1).normalized(), 0.4 }, { -Vector3::UnitZ(), 0.7 } };
+	std::vector<HalfSpace> halfSpaces { { Vector3(1, 1, 0).normalized(), 0.5 },
+		                                { Vector3(-1, 0.5, 0.2).normalized(), 0.6 }, { Vector3(0, -1, 1).normalized(), 0.4 }, { -Vector3::UnitZ(), 0.7 } };
 	expectWithinMonteCarlo(ConvexRegion(halfSpaces), [&](const Vector3& x) {
 		return std::all_of(halfSpaces.begin(), halfSpaces.end(), [&](const HalfSpace& h) { return h.outside(x) <= 0; });
 	});
@@ -121,7 +124,8 @@ TEST(RegionOracle, StarAgainstMonteCarlo)
 
 TEST(RegionOracle, BallOfTrianglesAgainstMonteCarlo)
 {
-	// A region whose own triangles are far smaller than the bodies. Whether a point is between it and the surface that it stands for, CGAL's rays tell.
+	// A region whose own triangles are far smaller than the bodies. Whether a point is between it and the surface that it stands for, CGAL's rays
+	// tell.
 	const Shape ball(Vector3(1, 0.9, 0.8), 4, 2);
 	const Tessellation surface = tessellate(ball, 1e-3);
 	const MeshRegion region({ surface.points, surface.triangles }, "ball");

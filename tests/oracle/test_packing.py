@@ -41,10 +41,10 @@ def bed():
     O.reset()
     material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
     rng = random.Random(8)
-    shapes = [sq.particleShape('cube', SIZE), sq.particleShape('cylinder', SIZE, 1.5), sq.particleShape('ellipsoid', SIZE, 2.0), sq.particleShape('sphere', SIZE),
-              sq.particleShape('block', SIZE, 0.5)]
-    bodies = [shapes[i % 5].body(Vector3(rng.uniform(-0.06, 0.06), rng.uniform(-0.06, 0.06), rng.uniform(-0.01, 0.07)), sq.randomOrientation(rng), material)
-              for i in range(300)]
+    shapes = [sq.particleShape('cube', SIZE), sq.particleShape('cylinder', SIZE, 1.5), sq.particleShape('ellipsoid', SIZE, 2.0), 
+              sq.particleShape('sphere', SIZE), sq.particleShape('block', SIZE, 0.5)]
+    places = [Vector3(rng.uniform(-0.06, 0.06), rng.uniform(-0.06, 0.06), rng.uniform(-0.01, 0.07)) for _ in range(300)]
+    bodies = [shapes[i % 5].body(place, sq.randomOrientation(rng), material) for i, place in enumerate(places)]
     return sq.Snapshot.ofBodies(O.bodies.append(bodies))
 
 
@@ -118,7 +118,8 @@ def test_wholeParticlesAreExact(bed):
 def test_volumesOfRegions():
     assert regions.HalfSpaces((((1, 1, 1), 1 / math.sqrt(3)),), regions.Box((0, 0, 0), (1, 1, 1))).volume == pytest.approx(1 / 6)
     assert CASES['mesh'][0].volume == pytest.approx(5 * STAR[0] * STAR[1] * math.sin(math.pi / 5) * (STAR[3] - STAR[2]))
-    assert regions.HalfSpaces((((0, 0, -1), -0.02),), CASES['mesh'][0]).volume == pytest.approx(CASES['mesh'][0].volume * (STAR[3] - 0.02) / (STAR[3] - STAR[2]))
+    upper = regions.HalfSpaces((((0, 0, -1), -0.02),), CASES['mesh'][0])
+    assert upper.volume == pytest.approx(CASES['mesh'][0].volume * (STAR[3] - 0.02) / (STAR[3] - STAR[2]))
     surface = star(*STAR)
     assert regions.Mesh(sq.Surface(surface.points, surface.triangles[:, ::-1])).volume == pytest.approx(CASES['mesh'][0].volume)
 
@@ -148,8 +149,10 @@ def alone(snapshot):
 
 @pytest.mark.parametrize('make, complaint', (
     (lambda: regions.Box((0, 0, 0), (1, -1, 1)), 'high = '), (lambda: regions.Cylinder(0, (0, 0, 0), (0, 0, 1)), 'radius = 0'),
-    (lambda: regions.Cylinder(1, (0, 0, 1), (0, 0, 1)), 'top = '), (lambda: regions.HalfSpaces((((0, 0, 0), 1),), regions.Box((0, 0, 0), (1, 1, 1))), 'must not be zero'),
-    (lambda: regions.HalfSpaces((), None), 'within = None'), (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
+    (lambda: regions.Cylinder(1, (0, 0, 1), (0, 0, 1)), 'top = '),
+    (lambda: regions.HalfSpaces((((0, 0, 0), 1),), regions.Box((0, 0, 0), (1, 1, 1))), 'must not be zero'),
+    (lambda: regions.HalfSpaces((), None), 'within = None'),
+    (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
     (lambda: sq.packingFraction([], regions.Box((0, 0, 0), (1, 1, 1)), accuracy=0), 'accuracy = 0')))
 def test_badInput(make, complaint):
     with pytest.raises(ValueError, match=complaint):

@@ -7,8 +7,8 @@ import yade.superquadric as sq
 
 
 def revolved(profile, sides, name='bin'):
-    """The surface of revolution of a `profile` of points (r, z) from axis to axis, or from axis to rim, as `sides` flat strips; it faces outward for profiles
-    that go from the bottom up."""
+    """The surface of revolution of a `profile` of points (r, z) from axis to axis, or from axis to rim, as `sides` flat strips; it faces outward
+    for profiles that go from the bottom up."""
     points, rings = [], []
     for r, z in profile:
         count = sides if r > 0 else 1

@@ -5,7 +5,7 @@ import random
 import numpy as np
 import pytest
 from stlfiles import cube, revolved
-from yade import O
+from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat, Facet
 
@@ -41,7 +41,8 @@ def test_whatIsWrittenIsRead(tmp_path):
 def test_placing(tmp_path):
     turn = Quaternion(Vector3(0, 0, 1), math.pi / 2)
     read = sq.readSurface(stl(tmp_path, cube(2.0)), scale=1e-3, position=(1, 2, 3), orientation=turn)
-    assert read.points.min(axis=0) == pytest.approx([0.998, 2, 3], abs=1e-12) and read.points.max(axis=0) == pytest.approx([1, 2.002, 3.002], abs=1e-12)
+    assert read.points.min(axis=0) == pytest.approx([0.998, 2, 3], abs=1e-12)
+    assert read.points.max(axis=0) == pytest.approx([1, 2.002, 3.002], abs=1e-12)
 
 
 def test_facetsAreTheTriangles(tmp_path):
@@ -55,7 +56,8 @@ def test_facetsAreTheTriangles(tmp_path):
     (lambda s: sq.Surface(s.points, np.vstack([s.triangles, s.triangles[:1]])), '3 edges shared by more than two triangles'),
     (lambda s: sq.Surface(s.points, np.vstack([s.triangles[:1, ::-1], s.triangles[1:]])), '3 edges whose two triangles face opposite ways'),
     (lambda s: sq.Surface(s.points, np.vstack([s.triangles, [[0, 0, 1]]])), '1 triangles without an area'),
-    (lambda s: sq.Surface(np.vstack([s.points, s.points + 0.3]), np.vstack([s.triangles, s.triangles + 8])), 'pairs of triangles that go through each other'),
+    (lambda s: sq.Surface(np.vstack([s.points, s.points + 0.3]), np.vstack([s.triangles, s.triangles + 8])),
+     'pairs of triangles that go through each other'),
     (lambda s: sq.Surface(np.where(s.points == 1, np.nan, s.points), s.triangles), 'coordinates that are not finite')))
 def test_defectsAreRefusedBeforeAnythingIsAdded(tmp_path, damage, complaint):
     path, material = stl(tmp_path, damage(cube())), newScene()
@@ -107,7 +109,6 @@ def test_facesPushBackInside(tmp_path, inward, axis, side):
 
 
 def pushOfAWall(half, depth):
-    from yade import utils
     material = newScene()
     O.bodies.append(utils.wall(0, axis=2, material=material))
     body = O.bodies.append(sq.superquadric((0, 0, half - depth), (half,) * 3, 8, 8, material=material))
@@ -118,7 +119,7 @@ def pushOfAWall(half, depth):
 
 
 def test_particlesStayInTheHopper(tmp_path):
-    """Cubes, ellipsoids and spheres fall through a funnel, whose opening is a neck that its mesh narrows to, into the mould below it, and come to rest: one open mesh, not convex."""
+    """Cubes, ellipsoids and spheres fall through a funnel and its neck into the mould below, and come to rest: one open mesh, not convex."""
     material = newScene()
     profile = [(0, -0.14), (0.03, -0.14), (0.05, -0.11), (0.05, -0.09), (0.035, -0.075), (0.06, -0.03), (0.06, 0.2)]
     bin = revolved(profile, 12)

@@ -35,7 +35,8 @@ struct Bodies {
 		for (int i = 0; i < 10; ++i)
 			shapes.push_back(random.shape(0.3));
 		for (int i = 0; i < number; ++i)
-			placed.emplace_back(shapes[std::size_t(i % 10)], Vector3(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)), random.rotation());
+			placed.emplace_back(shapes[std::size_t(i % 10)],
+			                    Vector3(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)), random.rotation());
 	}
 };
 
@@ -55,7 +56,8 @@ TEST(Region, BoxAsHalfSpacesAndAsSurface)
 		const TriangleMesh surface = inward ? turned(box(low, high)) : box(low, high);
 		const MeshRegion mesh(surface, "box");
 		EXPECT_NEAR(mesh.volume(), (high - low).prod(), 1e-14);
-		const auto fromPlanes = volumesWithin(bodies.placed, ConvexRegion(halfSpacesOf(low, high)), accuracy), fromMesh = volumesWithin(bodies.placed, mesh, accuracy);
+		const auto fromPlanes = volumesWithin(bodies.placed, ConvexRegion(halfSpacesOf(low, high)), accuracy),
+		           fromMesh = volumesWithin(bodies.placed, mesh, accuracy);
 		int cut = 0;
 		for (std::size_t i = 0; i < bodies.placed.size(); ++i) {
 			const double whole = volume(bodies.placed[i].shape);
@@ -74,7 +76,8 @@ TEST(Region, StarAndTheRestOfTheBoxAddUp)
 	const TriangleMesh inner = star(1.1, 0.5, 5, -0.8, 0.9), outer = box(-corner, corner);
 	const MeshRegion star(inner, "star"), rest(together(outer, turned(inner)), "box with a cavity"), whole(outer, "box");
 	EXPECT_NEAR(star.volume() + rest.volume(), whole.volume(), 1e-13);
-	const auto inStar = volumesWithin(bodies.placed, star, accuracy), inRest = volumesWithin(bodies.placed, rest, accuracy), inBox = volumesWithin(bodies.placed, whole, accuracy);
+	const auto inStar = volumesWithin(bodies.placed, star, accuracy), inRest = volumesWithin(bodies.placed, rest, accuracy),
+	           inBox = volumesWithin(bodies.placed, whole, accuracy);
 	for (std::size_t i = 0; i < bodies.placed.size(); ++i)
 		EXPECT_NEAR(inStar[i].estimate + inRest[i].estimate, inBox[i].estimate, 1e-12 * volume(bodies.placed[i].shape)) << i;
 }
