@@ -7,6 +7,7 @@
 
 SI units everywhere; z points up.
 """
+from . import regions
 from .bedgeometry import measureBed
 from .bodies import ParticleShape, equalVolumeExtents, particleShape, superquadric
 from .container import Container, boxContainer, cylinderContainer, setHeight
@@ -14,6 +15,8 @@ from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadr
 from .filling import particleNumber, rainFilling, randomOrientation
 from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
 from .materials import elastoplasticMat
+from .meshes import Surface, particlesToStl, readSurface, stlContainer, writeStl
+from .packing import Measured, packingFraction, solidVolume
 from .restitution import normalDampingFor
 from .run import ImpactRun
 from .settling import RestCriterion, scaleStiffness, settle, stiffen
@@ -23,8 +26,10 @@ from .tessellation import Tessellation, tessellation
 from .version import __version__
 
 __all__ = [
-    'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Tessellation',
+    'Container', 'ImpactRun', 'Interrupted', 'Measured', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Surface',
+    'Tessellation',
     'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
-    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse',
-    'rainFilling', 'randomOrientation', 'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
-    'superquadricEngines', 'tessellation', '__version__']
+    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'packingFraction', 'particleNumber',
+    'particleShape', 'particlesToStl', 'pulse',
+    'rainFilling', 'randomOrientation', 'readSurface', 'recordImpact', 'regions', 'scaleStiffness', 'setHeight', 'settle', 'solidVolume',
+    'solverCounters', 'stiffen', 'stlContainer', 'superquadric', 'superquadricEngines', 'tessellation', 'writeStl', '__version__']

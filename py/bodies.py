@@ -60,7 +60,7 @@ class ParticleShape(namedtuple('ParticleShape', 'extents n1 n2 asSphere')):
         """A body of this shape with its centre at `center` [m], not yet in the scene; see `superquadric` for the others."""
         if self.asSphere:
             body = utils.sphere(checks.vector('center', center), self.extents[0], material=material, color=color)
-            body.state.ori = _rotation(orientation)
+            body.state.ori = rotation(orientation)
             return body
         return superquadric(center, self.extents, self.n1, self.n2, material, orientation, color=color)
 
@@ -115,7 +115,7 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     """
     extents = checks.extents('extents', extents)
     n1, n2 = checks.exponent('n1', n1), checks.exponent('n2', n2)
-    center, orientation = Vector3(*checks.vector('center', center)), _rotation(orientation)
+    center, orientation = Vector3(*checks.vector('center', center)), rotation(orientation)
     body = Body()
     body.shape = Superquadric(extents=extents, n1=n1, n2=n2, color=color if color else utils.randomColor(),
                               wire=wire, highlight=highlight)
@@ -127,7 +127,7 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     return body
 
 
-def _rotation(orientation):
+def rotation(orientation):
     """The normalised `orientation`; ValueError if it is no rotation."""
     if not isinstance(orientation, Quaternion):
         raise ValueError(f'orientation = {orientation!r}: must be a Quaternion')

@@ -28,7 +28,7 @@ class Snapshot:
         described = [(body, *_describe(body.shape)) for body in bodies if isinstance(body.shape, (Sphere, Superquadric))]
         return cls(ids=np.array([body.id for body, _, _ in described], dtype=int),
                    positions=np.array([tuple(body.state.pos) for body, _, _ in described]).reshape(-1, 3),
-                   rotations=np.array([_matrix(body.state.ori) for body, _, _ in described]).reshape(-1, 3, 3),
+                   rotations=np.array([matrix(body.state.ori) for body, _, _ in described]).reshape(-1, 3, 3),
                    extents=np.array([extents for _, extents, _ in described]).reshape(-1, 3),
                    exponents=np.array([exponents for _, _, exponents in described]).reshape(-1, 2))
 
@@ -65,6 +65,6 @@ def _describe(shape):
     return tuple(shape.extents), (shape.n1, shape.n2)
 
 
-def _matrix(orientation):
+def matrix(orientation):
     matrix = orientation.toRotationMatrix()
     return [[matrix[i, j] for j in range(3)] for i in range(3)]

@@ -1,5 +1,6 @@
 #include "Superquadric.hpp"
 
+#include "Buffers.hpp"
 #include "Checks.hpp"
 
 #include <pkg/geometry/Bounds.hpp>
@@ -10,18 +11,6 @@
 namespace yade {
 
 YADE_PLUGIN((Superquadric));
-
-namespace {
-
-	// The rows as they lie in memory.
-	template <class Row> boost::python::object bytesOf(const std::vector<Row>& rows)
-	{
-		static_assert(std::is_same<Row, Vector3r>::value || std::is_same<Row, std::array<int, 3>>::value, "rows of three numbers without gaps");
-		const char* begin = reinterpret_cast<const char*>(rows.data());
-		return boost::python::object(boost::python::handle<>(PyBytes_FromStringAndSize(begin, Py_ssize_t(rows.size() * sizeof(Row)))));
-	}
-
-} // namespace
 
 void Superquadric::postLoad(Superquadric&)
 {

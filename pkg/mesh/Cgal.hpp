@@ -1,0 +1,28 @@
+// What the files of this folder use of CGAL. No header of the project includes this one, and the library hides all its symbols (CMakeLists.txt), so
+// that a YADE with a CGAL of its own never meets ours.
+#pragma once
+
+#include "TriangleMesh.hpp"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+
+namespace superquadric::cgal {
+
+// Its predicates are exact: what they say of the points as they are in the file is true.
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+
+inline Point pointOf(const Vector3& x) { return { x.x(), x.y(), x.z() }; }
+
+inline std::vector<Point> pointsOf(const TriangleMesh& mesh)
+{
+	std::vector<Point> points;
+	points.reserve(mesh.points.size());
+	for (const Vector3& x : mesh.points)
+		points.push_back(pointOf(x));
+	return points;
+}
+
+} // namespace superquadric::cgal
