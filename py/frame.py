@@ -56,6 +56,18 @@ class Frame:
         """Of the contacts [N], (M,)"""
         return np.linalg.norm(self.contacts['normalForce'], axis=1)
 
+    def largestForces(self):
+        """Of the contacts of each particle [N], (N,)"""
+        result, ids, forces = np.zeros(len(self.particles)), self.particles['id'], self.normalForces()
+        if not len(ids):
+            return result
+        order = np.argsort(ids)
+        for name in ('id1', 'id2'):
+            place = order[np.searchsorted(ids, self.contacts[name], sorter=order).clip(max=len(ids) - 1)]
+            mine = ids[place] == self.contacts[name]
+            np.maximum.at(result, place[mine], forces[mine])
+        return result
+
     def box(self):
         """Lowest and highest corner [m] of a box that holds the particles and what of the container is finite, (2, 3)."""
         half = np.einsum('nij,nj->ni', np.abs(bodyarrays.matrices(self.particles['orientation'])), self.particles['extents'])

@@ -16,18 +16,19 @@ def requireVtk():
         raise ImportError(MISSING) from None
 
 
-def particleSurfaceData(frame, detail=surfaces.DETAIL, normals=False):
+def surfaceData(frame, detail=surfaces.DETAIL, normals=False):
     """vtkPolyData of the particles' surfaces; all arrays of `particleArrays` on their points."""
     surface = surfaces.particleSurfaces(frame.particles, detail)
     data = polyData(surface.points, polygons=surface.triangles)
     for name, values in particleArrays(frame.particles).items():
         _add(data.GetPointData(), name, values[surface.owner])
     if normals:
-        _setNormals(data, surface.normals)
+        _add(data.GetPointData(), 'normals', surface.normals.astype('f4'))
+        data.GetPointData().SetActiveNormals('normals')
     return _timed(data, frame)
 
 
-def particlePointData(frame):
+def particleData(frame):
     """vtkPolyData of one point a particle, with what a glyph needs: halfSizes, and orientation as ParaView's quaternion (w, x, y, z)."""
     rows = frame.particles
     data = polyData(rows['position'], vertices=np.arange(len(rows))[:, None])
@@ -51,23 +52,25 @@ def contactData(frame):
     rows = frame.contacts
     ends = np.stack([rows['centre1'], rows['centre2']], axis=1).reshape(-1, 3)
     data = polyData(ends, lines=np.arange(len(ends)).reshape(-1, 2))
-    normal, shear = (np.linalg.norm(rows[name], axis=1).astype('f4') for name in ('normalForce', 'shearForce'))
-    cells = {'id1': rows['id1'].astype('i4'), 'id2': rows['id2'].astype('i4'), 'normalForce': normal, 'shearForce': shear,
-             'force': (rows['normalForce'] + rows['shearForce']).astype('f4'), 'overlap': rows['overlap'].astype('f4'),
-             'contactPoint': rows['point'].astype('f4')}
-    for name, values in cells.items():
-        _add(data.GetCellData(), name, values)
-    _add(data.GetPointData(), 'normalForce', np.repeat(normal, 2))
+    for name in ('id1', 'id2'):
+        _add(data.GetCellData(), name, rows[name].astype('i4'))
+    for name, column in (('normalForce', 'normalForce'), ('shearForce', 'shearForce'), ('overlap', 'overlap'), ('contactPoint', 'point')):
+        _add(data.GetCellData(), name, rows[column].astype('f4'))
+    _add(data.GetPointData(), 'force', np.repeat(np.linalg.norm(rows['normalForce'], axis=1).astype('f4'), 2))
     return _timed(data, frame)
 
 
 def containerData(frame):
-    """vtkPolyData of walls, hollow cylinders and facets, with id and kind on the triangles."""
+    """vtkPolyData of walls, hollow cylinders and facets, with id and kind on the triangles. What is no facet also stands as numbers in the field
+    data `borders`, in the order of the columns of BORDER.
+    """
     surface = surfaces.containerSurfaces(frame.container, frame.box())
     data = polyData(surface.points, polygons=surface.triangles)
     owner = surface.owner[surface.triangles[:, 0]]
     _add(data.GetCellData(), 'id', frame.container['id'][owner].astype('i4'))
     _add(data.GetCellData(), 'kind', frame.container['kind'][owner].astype('i1'))
+    rest = frame.container[frame.container['kind'] != bodyarrays.FACET]
+    _add(data.GetFieldData(), 'borders', np.column_stack([rest[name] for name in bodyarrays.BORDER.names]))
     return _timed(data, frame)
 
 
@@ -99,11 +102,6 @@ def _add(attributes, name, values):
     array = _vtkArray(values)
     array.SetName(name)
     attributes.AddArray(array)
-
-
-def _setNormals(data, normals):
-    _add(data.GetPointData(), 'normals', normals.astype('f4'))
-    data.GetPointData().SetActiveNormals('normals')
 
 
 def _timed(data, frame):
@@ -157,3 +155,15 @@ def arrays(attributes):
     """{name: numpy array} of the point, cell or field data of PolyData."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     return {attributes.GetArrayName(i): vtk_to_numpy(attributes.GetArray(i)) for i in range(attributes.GetNumberOfArrays())}
+
+
+def points(data):
+    """Points (N, 3) of PolyData [m]."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.zeros((0, 3))
+
+
+def triangles(data):
+    """Corners (M, 3) of PolyData of triangles, as places of its points."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)

@@ -3,20 +3,20 @@ import os
 
 from yade.wrapper import PyRunner
 
-from . import bodyarrays, checks, surfaces, vtkfiles
+from . import bodyarrays, checks, vtkfiles
 from .frame import Frame
+from .surfaces import DETAIL
 from .vtkseries import Series
 
-PARTICLES = ('surfaces', 'points', 'none')
 PERIODS = ('iterPeriod', 'virtPeriod', 'realPeriod')
 
 
-def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, particles='surfaces', contacts=True, container=True,
-                detail=surfaces.DETAIL, normals=False, ids=None, initRun=True, label=''):
+def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfaces=True, contacts=True, container=True,
+                detail=DETAIL, normals=False, ids=None, initRun=True, label=''):
     """An engine for the end of `O.engines` that writes, as often as the period says, into `folder`:
 
-    particles.pvd: the particles' surfaces, or a point each; contacts.pvd: a line from centre to centre for every contact; container.pvd:
-    walls, hollow cylinders, facets. docs/view.md lists the arrays.
+    particles.pvd: a point for each particle with all its data; surfaces.pvd: their surfaces with the same; contacts.pvd: a line from centre to centre
+    for every contact; container.pvd: walls, hollow cylinders, facets. docs/view.md lists the arrays.
 
     After NewtonIntegrator, positions and velocities are those at the end of the step, contacts and stresses those at its beginning, which O.time
     names. The engine is saved with the scene and goes on after O.load: it is a PyRunner whose command holds all that is given here, and
@@ -24,8 +24,7 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, parti
 
     :param folder: for the files, as seen from the working directory of the run; made if need be
     :param iterPeriod: steps, virtPeriod: simulated seconds, realPeriod: seconds of the clock between two moments; one of them at least
-    :param particles: 'surfaces', 'points' (for very large beds: a hundredth of the size, drawn by ParaView as glyphs) or 'none'
-    :param contacts, container: whether to write them
+    :param surfaces, contacts, container: whether to write them; very large beds do without surfaces, ParaView draws the points as glyphs
     :param detail: of surfaces: largest distance between a particle's surface and its triangles, over its largest half size
     :param normals: write the surfaces' normals: they look smoother, and the files are twice as large
     :param ids: only these bodies, and the contacts that they have a part in; None: all
@@ -34,9 +33,10 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, parti
     :raises ValueError: a value out of range; ImportError: VTK's Python modules are missing; OSError: the folder cannot be written to
     """
     periods = _checkPeriods(iterPeriod, virtPeriod, realPeriod)
-    what = dict(particles=checks.oneOf('particles', particles, PARTICLES), contacts=checks.boolean('contacts', contacts),
-                container=checks.boolean('container', container), detail=checks.above('detail', detail, 0, 1),
-                normals=checks.boolean('normals', normals), ids=None if ids is None else [checks.wholeNumber('ids', i, 0) for i in ids])
+    what = {name: checks.boolean(name, value) for name, value in (
+        ('surfaces', surfaces), ('contacts', contacts), ('container', container), ('normals', normals))}
+    what['detail'] = checks.above('detail', detail, 0, 1)
+    what['ids'] = None if ids is None else [checks.wholeNumber('ids', i, 0) for i in ids]
     if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder)):
         raise ValueError(f'folder = {folder!r}: must be the path of a folder')
     bodyarrays.particles(ids)  # they are there
@@ -49,19 +49,14 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, parti
     return PyRunner(command=command, updateGlobals=False, initRun=checks.boolean('initRun', initRun), label=label, **periods)
 
 
-def record(folder, particles='surfaces', contacts=True, container=True, detail=surfaces.DETAIL, normals=False, ids=None):
+def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
     frame = Frame.ofScene(ids)
-    makers = []
-    if particles != 'none':
-        makers.append(('particles', (lambda: vtkfiles.particlePointData(frame)) if particles == 'points'
-                       else (lambda: vtkfiles.particleSurfaceData(frame, detail, normals))))
-    if contacts:
-        makers.append(('contacts', lambda: vtkfiles.contactData(frame)))
-    if container:
-        makers.append(('container', lambda: vtkfiles.containerData(frame)))
-    for name, make in makers:
-        Series(folder, name).append(frame.step, frame.time, lambda path, make=make: vtkfiles.write(path, make()))
+    series = [('particles', True, lambda: vtkfiles.particleData(frame)), ('surfaces', surfaces, lambda: vtkfiles.surfaceData(frame, detail, normals)),
+              ('contacts', contacts, lambda: vtkfiles.contactData(frame)), ('container', container, lambda: vtkfiles.containerData(frame))]
+    for name, wanted, make in series:
+        if wanted:
+            Series(folder, name).append(frame.step, frame.time, lambda path, make=make: vtkfiles.write(path, make()))
 
 
 def _checkPeriods(iterPeriod, virtPeriod, realPeriod):

@@ -1,0 +1,182 @@
+"""What a frame looks like: triangles and tubes with their colours, and where to look from."""
+import numpy as np
+
+from . import bodyarrays
+from .surfaces import containerSurfaces, particleSurfaces
+
+SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
+KINDS = np.array([(0.90, 0.62, 0.00), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.94, 0.89, 0.26), (0.00, 0.45, 0.70)])  # Okabe & Ito
+CONTAINER = (0.55, 0.62, 0.70)
+DETAIL = 0.01          # of particles, see `surfaces.particleSurfaces`
+FAINT = 0.12           # opacity of particles around force chains
+GLASS = 0.18           # opacity of the container
+TOP_SHARE = 0.995      # of all values lie below the end of a colour scale
+WEAK = 0.02            # forces below this share of the largest shown are left out
+THICKEST = 0.45        # radius of the thickest tube, over the particles' smallest half size (its median)
+ROOM = 1.04            # picture over what is in it
+HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
+
+# What colours mean: label, factor from SI, values of a frame.
+COLOURS = {
+    'plain': None, 'kind': None,
+    'speed': ('speed [m/s]', 1.0, lambda frame: frame.speeds()),
+    'force': ('largest normal force [N]', 1.0, lambda frame: frame.largestForces()),
+    'pressure': ('pressure [kPa]', 1e-3, lambda frame: -np.trace(frame.particles['stress'], axis1=1, axis2=2) / 3),
+    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda frame: frame.particles['octahedralStress']),
+    'contacts': ('contacts', 1.0, lambda frame: frame.particles['contacts'].astype(float)),
+}
+CHAIN_LABEL = 'normal force of contacts [N]'
+
+
+class Style:
+    """How frames are coloured: all of one picture or animation alike.
+
+    :ivar colour, chains, cut: as in `render.picture`; :ivar limits: of the particles' colours; :ivar chainLimit: [N]; :ivar thickest: radius [m]
+    """
+
+    def __init__(self, colour, chains, cut, limits, chainLimit, thickest, kinds):
+        self.colour, self.chains, self.cut = colour, chains, cut
+        self.limits, self.chainLimit, self.thickest, self.kinds = limits, chainLimit, thickest, kinds
+
+    @classmethod
+    def of(cls, frames, colour, chains, cut, limits, chainLimit):
+        if colour is not None and COLOURS[colour] is not None and limits is None:
+            values = np.concatenate([COLOURS[colour][1] * COLOURS[colour][2](frame) for frame in frames])
+            limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
+        if chains and chainLimit is None:
+            chainLimit = max(_quantile(frame.normalForces(), TOP_SHARE) for frame in frames)
+        sizes = [np.median(frame.particles['extents'].min(axis=1)) for frame in frames if len(frame.particles)]
+        kinds = np.unique(np.concatenate([_shapes(frame) for frame in frames]), axis=0)
+        return cls(colour, chains, cut, limits, chainLimit, THICKEST * min(sizes, default=0.0), kinds)
+
+    def bars(self):
+        """List of (matplotlib's ScalarMappable, label)."""
+        from matplotlib.cm import ScalarMappable
+        result = []
+        if self.limits is not None:
+            result.append((ScalarMappable(_norm(self.limits), 'viridis'), COLOURS[self.colour][0]))
+        if self.chains:
+            result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
+        return result
+
+    def colours(self, frame):
+        """Of the particles, (N, 3) bytes."""
+        if self.colour in (None, 'plain'):
+            return _bytes(_plain(frame.particles))
+        if self.colour == 'kind':
+            own = _shapes(frame)
+            return _bytes(KINDS[[int(np.flatnonzero((self.kinds == shape).all(axis=1))[0]) % len(KINDS) for shape in own]].reshape(-1, 3))
+        mappable, _ = self.bars()[0]
+        label, factor, values = COLOURS[self.colour]
+        return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
+
+
+def pieces(frame, style, eye):
+    """What `Renderer.draw` takes: container, particles, force chains of the `frame`."""
+    result, box = [], frame.box()
+    plane = (box.mean(axis=0), _horizontal(eye['direction'])) if style.cut else None
+    rows = np.ones(len(frame.particles), dtype=bool) if plane is None else (frame.particles['position'] - plane[0]) @ plane[1] > 0
+    shown = frame.particles[rows]
+    if style.colour is not None and len(shown):
+        surface = particleSurfaces(shown, DETAIL)
+        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colours=style.colours(frame)[rows][surface.owner],
+                           opacity=FAINT if style.chains else 1.0))
+    if style.chains:
+        result += _chains(frame, style, plane)
+    surface = containerSurfaces(_shortened(frame), _particleBox(frame))
+    if len(surface.points):
+        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colour=CONTAINER, opacity=GLASS, specular=0.0,
+                           **({} if plane is None else {'keep': plane})))
+    return result
+
+
+def _chains(frame, style, plane):
+    """Tubes from centre to centre, of a section in proportion to the force."""
+    forces, rows = frame.normalForces(), frame.contacts
+    strong = forces > WEAK * style.chainLimit
+    if plane is not None:
+        strong &= (rows['point'] - plane[0]) @ plane[1] > 0
+    if not strong.any():
+        return []
+    share, mappable = np.clip(forces[strong] / style.chainLimit, 0, 1), style.bars()[-1][0]
+    ends = np.stack([rows['centre1'], rows['centre2']], axis=1)[strong].reshape(-1, 3)
+    return [dict(points=ends, lines=np.arange(len(ends)).reshape(-1, 2), radii=np.repeat(style.thickest * np.sqrt(share), 2),
+                 colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]
+
+
+def camera(frames, elevation, azimuth):
+    """Camera (see `Renderer.draw`) that sees all `frames`, and height over width of its picture. Angles [rad]."""
+    direction = np.array([np.sin(azimuth) * np.cos(elevation), np.cos(azimuth) * np.cos(elevation), -np.sin(elevation)])
+    right = np.array([np.cos(azimuth), -np.sin(azimuth), 0])
+    up = np.cross(right, direction)
+    boxes = [_particleBox(frame) for frame in frames]
+    boxes += [surface.points for frame in frames[:1] + frames[-1:] for surface in [containerSurfaces(_shortened(frame), _particleBox(frame))] if len(surface.points)]
+    corners = np.concatenate([_boxCorners(box) if len(box) == 2 else box for box in boxes])
+    low, high = (np.array([(corners @ axis).min(), (corners @ axis).max()]) for axis in (right, up))
+    centre = low.mean() * right + high.mean() * up + (corners @ direction).mean() * direction
+    width, height = ROOM * np.ptp(low), ROOM * np.ptp(high)
+    return dict(centre=centre, direction=direction, up=up, height=height), height / width
+
+
+def _boxCorners(box):
+    return np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T
+
+
+def _particleBox(frame):
+    """Box around the particles alone, (2, 3) [m]; without any, around the container."""
+    alone = type(frame)(frame.particles)
+    return alone.box() if len(frame.particles) else frame.box()
+
+
+def _shortened(frame):
+    """The container, standing cylinders ending a little above the particles: what is empty needs no room in a picture."""
+    if not len(frame.particles):
+        return frame.container
+    low, high = _particleBox(frame)[:, 2]
+    result = frame.container.copy()
+    for border in result:
+        if border['kind'] == bodyarrays.CYLINDER and abs(bodyarrays.matrices(border['orientation'])[2, 2]) > 1 - 1e-9:
+            bottom, top = (border['position'][2] + side * border['numbers'][1] / 2 for side in (-1, 1))
+            bottom, top = max(bottom, low - HEADROOM * (high - low)), min(top, high + HEADROOM * (high - low))
+            border['position'][2], border['numbers'][1] = (bottom + top) / 2, top - bottom
+    return result
+
+
+def _horizontal(direction):
+    flat = np.array([direction[0], direction[1], 0.0])
+    return flat / np.linalg.norm(flat) if np.linalg.norm(flat) > 1e-9 else np.asarray(direction)
+
+
+def _plain(rows):
+    """Sand of slightly different tints; what is of another material than most is steel."""
+    tint = 0.82 + 0.18 * ((rows['id'] * 0.618034) % 1)
+    colours = tint[:, None] * SAND
+    if len(rows):
+        materials, counts = np.unique(rows['material'], return_counts=True)
+        colours[rows['material'] != materials[counts.argmax()]] = STEEL
+    return colours
+
+
+def _shapes(frame):
+    """Proportions and exponents (N, 4), rounded: what a kind of particle has in common."""
+    rows = frame.particles
+    return np.round(np.column_stack([rows['extents'][:, 1:] / rows['extents'][:, :1], rows['exponents']]), 3)
+
+
+def _norm(limits):
+    from matplotlib.colors import Normalize
+    low, high = limits
+    return Normalize(low, high if high > low else low + 1)
+
+
+def _chainColours():
+    from matplotlib import colormaps
+    return colormaps['inferno_r'].resampled(256)
+
+
+def _bytes(colours):
+    return np.round(255 * np.clip(colours, 0, 1)).astype('u1')
+
+
+def _quantile(values, share):
+    return float(np.quantile(values, share)) if len(values) else 0.0
