@@ -12,8 +12,10 @@ from .bodies import ParticleShape, equalVolumeExtents, particleShape, superquadr
 from .container import Container, boxContainer, cylinderContainer, setHeight
 from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadricEngines
 from .filling import particleNumber, rainFilling, randomOrientation
+from .frame import Frame
 from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
 from .materials import elastoplasticMat
+from .render import animation, picture
 from .restitution import normalDampingFor
 from .run import ImpactRun
 from .settling import RestCriterion, scaleStiffness, settle, stiffen
@@ -21,10 +23,12 @@ from .snapshot import Snapshot
 from .stepping import Interrupted, Stepper
 from .tessellation import Tessellation, tessellation
 from .version import __version__
+from .vtkframes import RecordedSeries
+from .vtkrecorder import vtkRecorder
 
 __all__ = [
-    'Container', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'Recorder', 'RestCriterion', 'Snapshot', 'Stepper', 'Tessellation',
-    'addImpactor', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep', 'cylinderContainer',
-    'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape', 'pulse',
-    'rainFilling', 'randomOrientation', 'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters', 'stiffen', 'superquadric',
-    'superquadricEngines', 'tessellation', '__version__']
+    'Container', 'Frame', 'ImpactRun', 'Interrupted', 'ParticleShape', 'Pulse', 'RecordedSeries', 'Recorder', 'RestCriterion', 'Snapshot',
+    'Stepper', 'Tessellation', 'addImpactor', 'animation', 'bareImpact', 'boxContainer', 'checkTimeStep', 'criticalTimeStep',
+    'cylinderContainer', 'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'particleNumber', 'particleShape',
+    'picture', 'pulse', 'rainFilling', 'randomOrientation', 'recordImpact', 'scaleStiffness', 'setHeight', 'settle', 'solverCounters',
+    'stiffen', 'superquadric', 'superquadricEngines', 'tessellation', 'vtkRecorder', '__version__']

@@ -9,7 +9,7 @@ from collections import Counter
 from yade import O
 from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import checkpoint, finishedbed, report, results
+from . import checkpoint, finishedbed, impactpictures, report, results
 from .bedgeometry import measureBed
 from .container import Container, setHeight
 from .engines import engine, solverCounters
@@ -28,7 +28,7 @@ class ImpactRun:
     """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
     :ivar state: what a resumed run has to know beside the scene; plain numbers, lists and dicts
-    :ivar pictures: whether to draw them at the end (3 s)
+    :ivar pictures: whether to draw them at the end (docs/view.md)
     """
 
     STAGES = ('pour', 'stiffen', 'rest', 'measure', 'prepare', 'static', 'impact', 'report')
@@ -38,6 +38,7 @@ class ImpactRun:
         self.parameters = state['parameters']
         self.summary = self.recorder = None
         self.pictures = True
+        self.film = None
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -81,7 +82,8 @@ class ImpactRun:
         checkpoint.remove(output)
         run = cls(output, state, stream)
         # First those that say that the others are complete.
-        run._remove((finishedbed.STATE, report.SUMMARY, finishedbed.SCENE, *report.FILES))
+        run._remove((finishedbed.STATE, report.SUMMARY, finishedbed.SCENE, *report.FILES, *impactpictures.FILES))
+        impactpictures.removeOld(run)
         return run
 
     @staticmethod
@@ -251,7 +253,7 @@ class ImpactRun:
     def _impact(self):
         self._openRecord()
         static = self.state['staticForce']
-        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, static, self.parameters['maxImpactTime'])
+        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, static, self.parameters['maxImpactTime'], self.film)
         self._writeRecord()
         measured = pulse(self.recorder.column('time'), self.recorder.column('baseForce'), static)
         self.state.update(pulse=measured._asdict(), stage='report')
@@ -269,6 +271,7 @@ class ImpactRun:
             rows = results.readCsv(self.path(report.RECORD))[1] if self.state.get('recorded') else ()
             self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
             self.state['recorded'] = True
+        self.film = impactpictures.film(self)
 
     def _writeRecord(self):
         results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
