@@ -1,7 +1,7 @@
 """Pictures (PNG) and animations (GIF) of a scene, a snapshot or a recorded series, drawn off-screen.
 
-    sq.render.picture('bed.png', Frame.ofScene(), colour='speed', chains=True)
-    sq.render.animation('impact.gif', RecordedSeries('vtk'), colour='speed')
+    sq.picture('bed.png', sq.Frame.ofScene(), colour='speed')
+    sq.animation('impact.gif', sq.RecordedSeries('vtk'), chains=True)
 """
 import os
 
@@ -13,7 +13,6 @@ from .renderer import Renderer
 from .renderpieces import COLOURS, Style, camera, pieces
 from .snapshot import Snapshot
 
-PANEL = (1000, 700)    # pixels of a view, where its shape is not told by what is seen
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
 
@@ -30,13 +29,14 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
     :param width: of a view in pixels
     :raises ValueError: a value out of range; ImportError: a package is missing; RuntimeError: drawing failed
     """
+    _checkPath(path, '.png')
     captions, frames = zip(*_views(views))
     style = _style(frames, colour, chains, cut, limits, chainLimit)
-    eye, size = _eye(frames, elevation, azimuth, width, cut)
+    eye, size = _eye(frames, elevation, azimuth, width)
     with Renderer() as renderer:
-        images = [renderer.draw(pieces(frame, style, eye), eye, size) for frame in frames]
+        images = [renderer.draw(pieces(frame, style, eye, size), eye, size) for frame in frames]
     figure = _compose(images, captions, style, title, eye, DPI)
-    figure.savefig(_checkedPath(path, '.png'), dpi=DPI, metadata={'Software': None})
+    figure.savefig(path, dpi=DPI, metadata={'Software': None})
 
 
 def animation(path, frames, colour='speed', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=480,
@@ -48,19 +48,20 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
     """
     from PIL import Image
+    _checkPath(path, '.gif')
     frames, rate = list(frames), checks.positive('rate', rate)
     if not frames:
         raise ValueError('frames = []: there is nothing to show')
     style = _style(frames, colour, chains, cut, limits, chainLimit)
-    eye, size = _eye(frames, elevation, azimuth, width, cut)
+    eye, size = _eye(frames, elevation, azimuth, width)
     start, pictures = frames[0].time if start is None else start, []
     with Renderer() as renderer:
         for frame in frames:
-            figure = _compose([renderer.draw(pieces(frame, style, eye), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
+            figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
             pictures.append(_pixels(figure, DPI // 2))
     palette = Image.fromarray(np.concatenate(pictures[::max(len(pictures) // 8, 1)])).quantize(128, dither=Image.Dither.NONE)
     images = [Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
-    images[0].save(_checkedPath(path, '.gif'), save_all=True, append_images=images[1:], duration=int(1000 / rate), loop=0, optimize=True)
+    images[0].save(path, save_all=True, append_images=images[1:], duration=int(1000 / rate), loop=0, optimize=True)
 
 
 def _views(views):
@@ -80,17 +81,16 @@ def _style(frames, colour, chains, cut, limits, chainLimit):
                     None if chainLimit is None else checks.positive('chainLimit', chainLimit))
 
 
-def _eye(frames, elevation, azimuth, width, cut):
+def _eye(frames, elevation, azimuth, width):
     """Camera that sees all `frames`, and the size of the picture."""
     width = checks.wholeNumber('width', width, 50)
     eye, shape = camera(frames, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
     return eye, (width, int(np.clip(round(width * shape), 50, 4 * width)))
 
 
-def _checkedPath(path, ending):
+def _checkPath(path, ending):
     if os.path.splitext(os.fspath(path))[1].lower() != ending:
         raise ValueError(f'path = {path!r}: must end in {ending}')
-    return path
 
 
 def _clock(seconds):

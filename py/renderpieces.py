@@ -7,7 +7,8 @@ from .surfaces import containerSurfaces, particleSurfaces
 SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
 KINDS = np.array([(0.90, 0.62, 0.00), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.94, 0.89, 0.26), (0.00, 0.45, 0.70)])  # Okabe & Ito
 CONTAINER = (0.55, 0.62, 0.70)
-DETAIL = 0.01          # of particles, see `surfaces.particleSurfaces`
+FINENESS = 0.4         # of a pixel: distance between a particle's surface and its triangles
+DETAILS = 0.004, 0.05  # the same over the largest half size, at least and at most
 FAINT = 0.12           # opacity of particles around force chains
 GLASS = 0.18           # opacity of the container
 TOP_SHARE = 0.995      # of all values lie below the end of a colour scale
@@ -71,14 +72,14 @@ class Style:
         return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
 
 
-def pieces(frame, style, eye):
-    """What `Renderer.draw` takes: container, particles, force chains of the `frame`."""
+def pieces(frame, style, eye, size):
+    """What `Renderer.draw` takes: container, particles, force chains of the `frame`, for a picture of `size` pixels."""
     result, box = [], frame.box()
     plane = (box.mean(axis=0), _horizontal(eye['direction'])) if style.cut else None
     rows = np.ones(len(frame.particles), dtype=bool) if plane is None else (frame.particles['position'] - plane[0]) @ plane[1] > 0
     shown = frame.particles[rows]
     if style.colour is not None and len(shown):
-        surface = particleSurfaces(shown, DETAIL)
+        surface = particleSurfaces(shown, _detail(shown, eye['height'] / size[1]))
         result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colours=style.colours(frame)[rows][surface.owner],
                            opacity=FAINT if style.chains else 1.0))
     if style.chains:
@@ -88,6 +89,11 @@ def pieces(frame, style, eye):
         result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colour=CONTAINER, opacity=GLASS, specular=0.0,
                            **({} if plane is None else {'keep': plane})))
     return result
+
+
+def _detail(particles, pixel):
+    """`pixel`: what one shows [m]. Rounded, so that tessellations are made once for many frames."""
+    return float(np.clip(np.round(FINENESS * pixel / np.median(particles['extents'].max(axis=1)), 3), *DETAILS))
 
 
 def _chains(frame, style, plane):
@@ -114,7 +120,7 @@ def camera(frames, elevation, azimuth):
     corners = np.concatenate([_boxCorners(box) if len(box) == 2 else box for box in boxes])
     low, high = (np.array([(corners @ axis).min(), (corners @ axis).max()]) for axis in (right, up))
     centre = low.mean() * right + high.mean() * up + (corners @ direction).mean() * direction
-    width, height = ROOM * np.ptp(low), ROOM * np.ptp(high)
+    width, height = (ROOM * np.ptp(span) or 1.0 for span in (low, high))
     return dict(centre=centre, direction=direction, up=up, height=height), height / width
 
 

@@ -138,15 +138,19 @@ def read(path):
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     if not os.path.exists(path):
         raise ValueError(f'{path}: there is no such file')
+    # Of a file that was cut off VTK gives what there is, without a word.
+    with open(path, 'rb') as file:
+        whole = file.read().rstrip().endswith(b'</VTKFile>')
     reader, errors = vtkXMLPolyDataReader(), []
     reader.AddObserver('ErrorEvent', lambda *_: errors.append(1))
     reader.SetFileName(path)
     vtkObject.GlobalWarningDisplayOff()
     try:
-        reader.Update()
+        if whole:
+            reader.Update()
     finally:
         vtkObject.GlobalWarningDisplayOn()
-    if errors or reader.GetErrorCode():
+    if not whole or errors or reader.GetErrorCode():
         raise ValueError(f'{path}: is damaged, or no PolyData file of VTK')
     return reader.GetOutput()
 

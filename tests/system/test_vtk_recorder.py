@@ -57,7 +57,7 @@ def stressOf(body):
 def recorded(tmp_path_factory):
     """A folder with four moments, the last one the present scene."""
     folder = tmp_path_factory.mktemp('series')
-    scene(3001, folder=str(folder), iterPeriod=1000, normals=True)
+    scene(15001, folder=str(folder), iterPeriod=5000, normals=True)
     vtkrecorder.record(str(folder), normals=True)
     return folder
 
@@ -101,7 +101,7 @@ def test_surfacesAreThoseOfTheParticles(recorded):
         own = data['id'] == body.id
         local = np.array([tuple(body.state.ori.conjugate() * (Vector3(*map(float, point)) - body.state.pos)) for point in data.points[own]])
         shape = body.shape if isinstance(body.shape, Superquadric) else Superquadric(extents=(body.shape.radius,) * 3, n1=2, n2=2)
-        assert [shape.gauge(point) for point in local] == pytest.approx(1, abs=1e-5)
+        assert np.array([shape.gauge(point) for point in local]) == pytest.approx(1, abs=1e-5)
         triangles = data.points[corners[own[corners[:, 0]]]].astype(float) - np.array(body.state.pos)
         volume = np.linalg.det(triangles).sum() / 6
         assert 0.95 < volume / shape.volume() < 1, 'inscribed'
@@ -117,7 +117,7 @@ def test_contactsAreTheScene(recorded):
     assert data.n_cells == len(contacts) > 15
     ends = data.points[data.lines.reshape(-1, 3)[:, 1:]]
     withContainer = 0
-    for k, ids in enumerate(zip(data['id1'], data['id2'])):
+    for k, ids in enumerate(zip(data['id1'].tolist(), data['id2'].tolist())):
         contact = contacts[ids]
         assert data['normalForce'][k] == pytest.approx(tuple(contact.phys.normalForce), rel=SINGLE, abs=1e-9)
         assert data['shearForce'][k] == pytest.approx(tuple(contact.phys.shearForce), rel=SINGLE, abs=1e-9)
@@ -134,11 +134,12 @@ def test_containerIsTheScene(recorded):
     data = last(recorded, 'container')
     corners = data.points[data.faces.reshape(-1, 4)[:, 1:]]
     for body in O.bodies:
-        mine = corners[data['id'] == body.id].reshape(-1, 3)
+        mine = np.asarray(corners[data['id'] == body.id].reshape(-1, 3))
         if isinstance(body.shape, Wall):
             assert np.abs(mine[:, 2]).max() == 0 and np.hypot(*mine.T[:2]).max() == pytest.approx(0.02)
         elif isinstance(body.shape, HollowCylinder):
-            assert np.hypot(*mine.T[:2]) == pytest.approx(0.02) and np.unique(mine[:, 2]) == pytest.approx([0, 0.06])
+            assert np.hypot(*mine.T[:2]) == pytest.approx(0.02, abs=1e-8)
+            assert np.unique(mine[:, 2]) == pytest.approx([0, body.shape.height], rel=SINGLE)
         elif isinstance(body.shape, Facet):
             assert mine == pytest.approx(np.array([tuple(body.state.pos + v) for v in body.shape.vertices]), abs=1e-9)
 
@@ -147,7 +148,7 @@ def test_seriesIsInTheOrderOfTime(recorded):
     """As another reader of .pvd sees it."""
     reader = pyvista.PVDReader(str(recorded / 'particles.pvd'))
     assert len(reader.time_values) == 5 and reader.time_values[-1] == O.time
-    assert np.diff(reader.time_values)[:3] == pytest.approx(1000 * O.dt, rel=1e-6)
+    assert np.diff(reader.time_values)[:3] == pytest.approx(5000 * O.dt, rel=1e-6)
     assert pyvista.read(str(recorded / reader.datasets[2].path)).field_data['TimeValue'][0] == reader.time_values[2]
 
 
@@ -157,7 +158,10 @@ def test_recordedFramesAreTheScene(recorded):
     assert (read.step, read.time) == (O.iter, O.time) and len(frames[1:3]) == 2
     for table in ('particles', 'contacts', 'container'):
         for column in getattr(now, table).dtype.names:
-            assert getattr(read, table)[column] == pytest.approx(getattr(now, table)[column], rel=1e-5, abs=1e-6), column
+            old, new = getattr(now, table)[column], getattr(read, table)[column]
+            vertices = table == 'container' and column in ('position', 'orientation')  # a facet has its vertices instead
+            rows = now.container['kind'] != bodyarrays.FACET if vertices else slice(None)
+            assert new[rows] == pytest.approx(old[rows], rel=1e-5, abs=1e-6), column
 
 
 def test_loadedSceneGoesOnWithItsSeries(tmp_path):
@@ -227,7 +231,7 @@ def test_contactsAcrossThePeriodicBorderAreShort(tmp_path):
 def test_readersFindCompleteFilesOnly(tmp_path):
     """Whoever reads while a run goes on finds each file that the .pvd names."""
     scene(2, folder=str(tmp_path), iterPeriod=20)
-    O.run(2000)
+    O.run(600)
     seen = 0
     while O.running:
         for entry in Series(str(tmp_path), 'surfaces').entries()[-2:]:
@@ -255,9 +259,11 @@ def test_badInput(tmp_path, arguments, words):
 def test_damagedSeriesIsRefused(tmp_path):
     scene(1, folder=str(tmp_path), iterPeriod=1)
     file = tmp_path / Series(str(tmp_path), 'particles').entries()[0].file
-    file.write_bytes(file.read_bytes()[:200])
-    with pytest.raises(ValueError, match='is damaged'):
-        RecordedSeries(str(tmp_path))[0]
+    content = file.read_bytes()
+    for share in (0.0, 0.1, 0.7, 0.99):
+        file.write_bytes(content[:int(share * len(content))])
+        with pytest.raises(ValueError, match='is damaged'):
+            RecordedSeries(str(tmp_path))[0]
     (tmp_path / 'particles.pvd').write_text('<VTKFile')
     for attempt in (lambda: RecordedSeries(str(tmp_path)), lambda: vtkrecorder.record(str(tmp_path))):
         with pytest.raises(ValueError, match='particles.pvd: is damaged'):
