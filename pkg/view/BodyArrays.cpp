@@ -23,7 +23,7 @@ YADE_PLUGIN((BodyArrays));
 namespace {
 	static_assert(sizeof(Real) == sizeof(double) && sizeof(rows::Particle) == 33 * 8 && sizeof(rows::Contact) == 18 * 8 && sizeof(rows::Border) == 18 * 8);
 
-	template <class Row> boost::python::object bytesOf(const std::vector<Row>& table)
+	template <class Row> boost::python::object tableBytes(const std::vector<Row>& table)
 	{
 		return boost::python::object(boost::python::handle<>(
 		        PyBytes_FromStringAndSize(reinterpret_cast<const char*>(table.data()), Py_ssize_t(table.size() * sizeof(Row)))));
@@ -191,7 +191,7 @@ boost::python::object BodyArrays::particles(const boost::python::object& ids) co
 			add(*(*scene.bodies)[*id]);
 		}
 	}
-	return bytesOf(table);
+	return tableBytes(table);
 }
 
 boost::python::object BodyArrays::contacts() const
@@ -200,7 +200,7 @@ boost::python::object BodyArrays::contacts() const
 	std::vector<rows::Contact> table;
 	for (const Touch& touch : realContacts(scene))
 		table.push_back(contactRow(touch, scene));
-	return bytesOf(table);
+	return tableBytes(table);
 }
 
 boost::python::object BodyArrays::container() const
@@ -215,7 +215,7 @@ boost::python::object BodyArrays::container() const
 		put(body->state->ori.coeffs(), row.orientation);
 		table.push_back(row);
 	}
-	return bytesOf(table);
+	return tableBytes(table);
 }
 
 } // namespace yade
