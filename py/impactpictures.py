@@ -41,15 +41,23 @@ def draw(run):
     plots.forcePicture(run.path(FORCE), (run.recorder.column('time'), run.recorder.column('baseForce')), pulse, state['staticForce'],
                        (state['bare']['times'], state['bare']['forces']), title)
     frames = [] if run.film is None else run.film.frames()
-    if not frames:
-        return
+    if frames:
+        try:
+            _drawParticles(run, frames, pulse, title)
+        except RuntimeError as error:  # of the graphics library: the results do not depend on it
+            run.stepper.say(f'no pictures of the particles: {error}')
+    if run.film is not None:
+        run.film.remove()
+
+
+def _drawParticles(run, frames, pulse, title):
+    start = run.state['startTime']
     render.picture(run.path(BED), [('before the impact', frames[0]), ('after the impact', frames[-1])], cut=True,
                    title=title + ' (front half taken away)')
-    peak = min(frames, key=lambda frame: abs(frame.time - state['startTime'] - pulse.peakTime))
+    peak = min(frames, key=lambda frame: abs(frame.time - start - pulse.peakTime))
     render.picture(run.path(CHAINS), [('', peak)], chains=True, title=f'Forces at the peak on the base, {1e3 * pulse.peakTime:.2f} ms')
-    shown = [frame for frame in frames if frame.time - state['startTime'] <= pulse.lastTime + AFTERWARDS]
-    render.animation(run.path(ANIMATION), shown[::-(-len(shown) // MOST)], cut=True, start=state['startTime'])
-    run.film.remove()
+    shown = [frame for frame in frames if frame.time - start <= pulse.lastTime + AFTERWARDS]
+    render.animation(run.path(ANIMATION), shown[::-(-len(shown) // MOST)], cut=True, start=start)
 
 
 def _describe(p):

@@ -33,12 +33,12 @@ def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
     _save(figure, path)
 
 
-def _figure(width, height, columns=1):
+def _figure(width, height):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     figure = Figure(figsize=(width, height), layout='constrained')
     FigureCanvasAgg(figure)
-    return figure, figure.subplots(1, columns)
+    return figure, figure.subplots()
 
 
 def _save(figure, path):

@@ -32,7 +32,7 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
     _checkPath(path, '.png')
     captions, frames = zip(*_views(views))
     style = _style(frames, colour, chains, cut, limits, chainLimit)
-    eye, size = _eye(frames, elevation, azimuth, width)
+    eye, size = _eye(frames, style, elevation, azimuth, width)
     with Renderer() as renderer:
         images = [renderer.draw(pieces(frame, style, eye, size), eye, size) for frame in frames]
     figure = _compose(images, captions, style, title, eye, DPI)
@@ -81,10 +81,10 @@ def _style(frames, colour, chains, cut, limits, chainLimit):
                     None if chainLimit is None else checks.positive('chainLimit', chainLimit))
 
 
-def _eye(frames, elevation, azimuth, width):
+def _eye(frames, style, elevation, azimuth, width):
     """Camera that sees all `frames`, and the size of the picture."""
     width = checks.wholeNumber('width', width, 50)
-    eye, shape = camera(frames, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
+    eye, shape = camera(frames, style, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
     return eye, (width, int(np.clip(round(width * shape), 50, 4 * width)))
 
 
@@ -112,7 +112,7 @@ def _compose(images, captions, style, title, eye, dpi):
         axes.axis('off')
     _drawScale(panels[0], eye['height'] / height, images[0].shape)
     for mappable, label in style.bars():
-        figure.colorbar(mappable, ax=list(panels), shrink=0.8, aspect=24, pad=0.01).set_label(label, fontsize=CAPTION)
+        figure.colorbar(mappable, ax=list(panels), shrink=0.8, aspect=24, pad=0.01, extend='max').set_label(label, fontsize=CAPTION)
     figure.suptitle(title, fontsize=TITLE)
     return figure
 

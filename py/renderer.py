@@ -7,6 +7,7 @@ import sys
 import tempfile
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'renderprocess.py')
+SCREEN = ('Xvfb', '-screen', '0', '64x64x24', '-nolisten', 'tcp', '-noreset')
 HINT = 'install python3-pyvista, python3-pil, xvfb and libgl1-mesa-dri, or start with tools/env --with view'
 
 
@@ -32,8 +33,9 @@ class Renderer:
             raise ImportError(problem)
         self._errors = tempfile.TemporaryFile()
         reading, writing = os.pipe()
-        self._screen = subprocess.Popen(['Xvfb', '-displayfd', str(writing), '-screen', '0', '64x64x24', '-nolisten', 'tcp', '-noreset'], pass_fds=(writing,),
-                                        stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors)
+        # It ends with this process however that ends, and Ctrl-C is for this process alone.
+        self._screen = subprocess.Popen(['setpriv', '--pdeathsig', 'KILL', *SCREEN, '-displayfd', str(writing)], pass_fds=(writing,),
+                                        start_new_session=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors)
         os.close(writing)
         with os.fdopen(reading) as answer:
             number = answer.readline().strip()
@@ -44,7 +46,7 @@ class Renderer:
             environment.pop(name, None)
         # -P: this folder's modules are no modules of that process.
         self._process = subprocess.Popen([sys.executable, '-P', PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._errors,
-                                         env=environment)
+                                         env=environment, start_new_session=True)
         return self
 
     def __exit__(self, *_):

@@ -10,7 +10,7 @@ import sys
 import numpy as np
 import pyvista
 
-LIGHTS = (((-0.5, 0.55, 1.0), 0.75), ((0.9, 0.1, 0.6), 0.28), ((0.0, -0.6, 0.4), 0.12))  # direction seen from the camera (right, up, towards it), strength
+LIGHTS = (((-0.5, 0.55, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.28), ((0.0, -0.6, 0.4), 0.12))  # direction seen from the camera (right, up, towards it), strength
 
 
 def draw(job):
@@ -18,7 +18,7 @@ def draw(job):
     plotter = pyvista.Plotter(off_screen=True, window_size=job['size'], lighting='none')
     plotter.background_color = job['background']
     for piece in job['pieces']:
-        plotter.add_mesh(_mesh(piece), **_colour(piece), opacity=piece.get('opacity', 1.0), smooth_shading=True, ambient=0.28, diffuse=0.8,
+        plotter.add_mesh(_mesh(piece), **_colour(piece), opacity=piece.get('opacity', 1.0), smooth_shading=True, ambient=0.3, diffuse=0.8,
                          specular=piece.get('specular', 0.15), specular_power=25, show_scalar_bar=False)
     _look(plotter, **job['camera'])
     plotter.enable_anti_aliasing('ssaa')

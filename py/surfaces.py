@@ -13,6 +13,8 @@ DETAIL = 0.01    # default of the largest distance between a particle's surface 
 CIRCLE = 96      # corners of a hollow cylinder's section
 MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box's diagonal
 
+UPRIGHT = 1 - 1e-9  # cosine of an axis with another, above which they are the same to rounding
+
 Surface = namedtuple('Surface', 'points normals triangles owner')
 Surface.__doc__ = """Triangles of many bodies: points [m] and unit normals (N, 3), triangles (M, 3) as places of points, owner (N,): whose row a point belongs to."""
 
@@ -92,7 +94,7 @@ def _plane(border, cylinders, box):
     axis, place = int(border['numbers'][0]), border['position']
     normal = np.eye(3)[axis]
     for cylinder in cylinders:
-        if abs(bodyarrays.matrices(cylinder['orientation'])[axis, 2]) > 1 - 1e-9:  # it stands on the plane, to rounding
+        if abs(bodyarrays.matrices(cylinder['orientation'])[axis, 2]) > UPRIGHT:  # it stands on the plane
             points = cylinder['numbers'][0] * np.roll(_circle(), axis + 1, axis=1) + cylinder['position']
             points[:, axis] = place[axis]
             corners = np.arange(1, CIRCLE - 1)
