@@ -22,8 +22,9 @@ class Film:
 
     def sample(self):
         """Take a frame if the last step went past the time of one."""
-        number = self._number(O.time)
-        if number == self._number(O.time - O.dt):
+        middle = O.time - O.dt / 2  # of the step: away from the frames' times, so that rounding decides nothing
+        number = self._number(middle)
+        if number == self._number(middle - O.dt):
             return
         if self.folder is not None:
             Frame.ofScene().save(os.path.join(self.folder, _name(number)))

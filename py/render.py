@@ -15,6 +15,7 @@ from .snapshot import Snapshot
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
+FOOT = 0.07            # room for the scale below a view, over its height
 
 
 def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=1100):
@@ -53,7 +54,7 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
     if not frames:
         raise ValueError('frames = []: there is nothing to show')
     style = _style(frames, colour, chains, cut, limits, chainLimit)
-    eye, size = _eye(frames, elevation, azimuth, width)
+    eye, size = _eye(frames, style, elevation, azimuth, width)
     start, pictures = frames[0].time if start is None else start, []
     with Renderer() as renderer:
         for frame in frames:
@@ -102,7 +103,7 @@ def _compose(images, captions, style, title, eye, dpi):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     height, width = images[0].shape[:2]
-    figure = Figure(figsize=((len(images) * width / dpi + 0.05) + 0.95 * len(style.bars()), height / dpi + 0.28 * any(captions) + 0.32 * bool(title)),
+    figure = Figure(figsize=((len(images) * width / dpi + 0.05) + 0.95 * len(style.bars()), (1 + FOOT) * height / dpi + 0.28 * any(captions) + 0.32 * bool(title)),
                     layout='constrained')
     FigureCanvasAgg(figure)
     panels = np.atleast_1d(figure.subplots(1, len(images)))
@@ -110,6 +111,7 @@ def _compose(images, captions, style, title, eye, dpi):
         axes.imshow(image, interpolation='lanczos')
         axes.set_title(caption, fontsize=CAPTION)
         axes.axis('off')
+        axes.set_ylim((1 + FOOT) * height, 0)
     _drawScale(panels[0], eye['height'] / height, images[0].shape)
     for mappable, label in style.bars():
         figure.colorbar(mappable, ax=list(panels), shrink=0.8, aspect=24, pad=0.01, extend='max').set_label(label, fontsize=CAPTION)
@@ -118,13 +120,13 @@ def _compose(images, captions, style, title, eye, dpi):
 
 
 def _drawScale(axes, pixel, shape):
-    """A bar of 1, 2 or 5 times a power of ten, about a sixth of the picture; `pixel`: what one shows [m]."""
+    """A bar of 1, 2 or 5 times a power of ten below the picture, about a sixth as wide; `pixel`: what one shows [m]."""
     target = shape[1] * pixel / 6
     power = 10 ** np.floor(np.log10(target))
     length = power * max(factor for factor in (1, 2, 5) if factor * power <= target)
-    left, low = 0.02 * shape[1], 0.97 * shape[0]
+    left, low = 0.02 * shape[1], (1 + FOOT / 2) * shape[0]
     axes.plot([left, left + length / pixel], [low, low], color='#30343a', lw=2, solid_capstyle='butt')
-    axes.text(left + length / pixel / 2, low - 0.012 * shape[0], f'{1e3 * length:g} mm', ha='center', va='bottom', fontsize=CAPTION - 2, color='#30343a')
+    axes.text(left + length / pixel + 0.01 * shape[1], low, f'{1e3 * length:g} mm', va='center', fontsize=CAPTION - 2, color='#30343a')
 
 
 def _pixels(figure, dpi):
