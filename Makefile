@@ -17,7 +17,7 @@ help:
 	@echo 'Any other command with the plugin: tools/env COMMAND, e.g. tools/env yade script.py'
 
 demo:
-	@tools/env yade -n -x scripts/impact.py $(demoArguments) $(if $(wildcard demo/checkpoint.json),--resume)
+	@tools/env --with view yade -n -x scripts/impact.py $(demoArguments) $(if $(wildcard demo/checkpoint.json),--resume)
 
 # The paper's figures, then what depends on the choices that the paper leaves open. A study of your own: see docs/study.md.
 study:

@@ -159,11 +159,16 @@ class EndOfImpact:
         return loudest is not None and self.recorder.rows[-1][0] - loudest > QUIET_TIME
 
 
-def recordImpact(stepper, recorder, staticForce, maxTime):
-    """Step and record until the impact is over, or for `maxTime` [s] at most. Returns whether it was over."""
+def recordImpact(stepper, recorder, staticForce, maxTime, film=None):
+    """Step and record until the impact is over, or for `maxTime` [s] at most; a `film` looks on. Returns whether it was over."""
     end = EndOfImpact(recorder, staticForce)
+
+    def sample():
+        recorder.sample()
+        if film is not None:
+            film.sample()
     while True:
-        stepper.run(CHECK_STEPS, recorder.sample)
+        stepper.run(CHECK_STEPS, sample)
         if end.check():
             return True
         if O.time - recorder.startTime >= maxTime:

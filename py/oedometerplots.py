@@ -1,8 +1,8 @@
 """Pictures of oedometer tests, one or several together, like those of Zhao & Chi (2023)."""
 import numpy as np
 
-from . import contactstatistics
-from .plots import bedPicture
+from . import contactstatistics, render
+from .frame import Frame
 from .study.style import COLOURS, newFigure, outerLegend, save
 
 FORCE_EDGES = np.linspace(0, 5, 41)     # bins of a particle's mean contact force, over the mean
@@ -82,4 +82,4 @@ def contacts(path, cases):
 
 def specimens(path, views, container):
     """The specimen from the side, its front half taken away: a panel for each (caption, `Snapshot`)."""
-    bedPicture(path, [(caption, snapshot, None) for caption, snapshot in views], container)
+    render.picture(path, [(caption, Frame.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)

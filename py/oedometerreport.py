@@ -4,7 +4,7 @@ import numpy as np
 from yade import O
 from yade.wrapper import BreakageEngine
 
-from . import contactstatistics, enclosure, grading, oedometercase, oedometerplots, results
+from . import contactstatistics, enclosure, grading, oedometercase, oedometerplots, renderer, results
 from .contactstatistics import Contacts
 from .engines import engine
 from .oedometercase import BEFORE, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, STRESS, SUMMARY, sizesOf
@@ -45,7 +45,8 @@ def write(run):
         case = [oedometercase.load(run.output)]
         for name, draw in zip(PICTURES, (oedometerplots.gradings, oedometerplots.stresses, oedometerplots.contacts)):
             draw(run.path(name), case)
-        oedometerplots.specimens(run.path(PICTURES[3]), (('before', before), ('after', snapshot)), run.container)
+        if renderer.missing() is None:
+            oedometerplots.specimens(run.path(PICTURES[3]), (('before', before), ('after', snapshot)), run.container)
     return content
 
 

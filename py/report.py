@@ -1,14 +1,13 @@
-"""The results of a finished run: summary, time series, pictures."""
+"""The results of a finished run: summary and time series."""
 from yade import O
 
-from . import finishedbed, plots, results
-from .impact import Pulse, surfaceSpeed
+from . import finishedbed, impactpictures, results
+from .impact import surfaceSpeed
 from .engines import criticalTimeStep
 from .parameters import shapeOf
 from .snapshot import Snapshot
 
-SUMMARY, RECORD, BEFORE, AFTER, FORCE_PICTURE, BED_PICTURE = FILES = (
-    'summary.json', 'force.csv', finishedbed.BEFORE, 'after.npz', 'force.png', 'bed.png')
+SUMMARY, RECORD, BEFORE, AFTER = FILES = ('summary.json', 'force.csv', finishedbed.BEFORE, 'after.npz')
 
 
 def write(run):
@@ -17,7 +16,7 @@ def write(run):
     after.save(run.path(AFTER))
     content = summary(run)
     if run.pictures:
-        _pictures(run, after)
+        impactpictures.draw(run)
     results.writeJson(run.path(SUMMARY), content)
     return content
 
@@ -76,22 +75,3 @@ def warnings(content):
         yield 'the impact was not over when maxImpactTime ended the record'
     if solver.get('uncertified'):
         yield f'{solver["uncertified"]} of {solver["solves"]} solutions of the contact problem are not certified'
-
-
-def _describe(p):
-    """The shape in words: its name, and exponents and aspect that are not the name's own."""
-    shape, own = shapeOf(p), shapeOf({**p, 'n1': None, 'n2': None})
-    special = [f'$n_1$ = {shape.n1:g}'] * (shape.n1 != own.n1) + [f'$n_2$ = {shape.n2:g}'] * (shape.n2 != own.n2)
-    return ', '.join([p['shape'], *special, *[f'c/a = {p["aspect"]:g}'] * (p['aspect'] != 1)])
-
-
-def _pictures(run, after):
-    p, state = run.parameters, run.state
-    radius = p['impactorDiameter'] / 2
-    title = f'{len(run.ids)} particles ({_describe(p)}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
-    record = run.recorder.column('time'), run.recorder.column('baseForce')
-    plots.forcePicture(run.path(FORCE_PICTURE), record, Pulse(**state['pulse']), state['staticForce'],
-                       (state['bare']['times'], state['bare']['forces']), title)
-    views = [('before the impact', Snapshot.load(run.path(BEFORE)), (state['impactorStart'], radius)),
-             ('after the impact', after, (tuple(O.bodies[state['impactor']].state.pos), radius))]
-    plots.bedPicture(run.path(BED_PICTURE), views, run.container, title + ' (front half taken away)')

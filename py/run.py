@@ -5,7 +5,7 @@ import sys
 from yade import O
 from yade.wrapper import CurvatureMat, InteractionLoop
 
-from . import report, results
+from . import impactpictures, report, results
 from .bedgeometry import measureBed
 from .bedrun import BedRun
 from .container import setHeight
@@ -30,10 +30,10 @@ class ImpactRun(BedRun):
 
     STAGES = ('pour', 'stiffen', 'rest', 'measure', 'prepare', 'static', 'impact', 'report')
     SAVED = (Interrupted, ValueError)
-    FILES = report.FILES
+    FILES = (*report.FILES, *impactpictures.FILES)
     checked, bedPart = staticmethod(checked), staticmethod(bedPart)
 
-    recorder = None
+    recorder = film = None
 
     @classmethod
     def begin(cls, parameters, output, stream=sys.stderr):
@@ -45,6 +45,13 @@ class ImpactRun(BedRun):
         parameters = checked(parameters)
         run = cls.inFolder(output, {'parameters': parameters, 'pours': []}, stream=stream)
         run._build(particleCount(parameters))
+        return run
+
+    @classmethod
+    def inFolder(cls, output, state, files=None, stream=sys.stderr):
+        """See `StagedRun.inFolder`."""
+        run = super().inFolder(output, state, files, stream)
+        impactpictures.removeOld(run)
         return run
 
     @property
@@ -170,7 +177,7 @@ class ImpactRun(BedRun):
     def _impact(self):
         self._openRecord()
         static = self.state['staticForce']
-        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, static, self.parameters['maxImpactTime'])
+        self.state['impactOver'] = recordImpact(self.stepper, self.recorder, static, self.parameters['maxImpactTime'], self.film)
         self._writeRecord()
         measured = pulse(self.recorder.column('time'), self.recorder.column('baseForce'), static)
         self.state.update(pulse=measured._asdict(), stage='report')
@@ -186,6 +193,7 @@ class ImpactRun(BedRun):
             rows = results.readCsv(self.path(report.RECORD))[1] if self.state.get('recorded') else ()
             self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
             self.state['recorded'] = True
+        self.film = impactpictures.film(self)
 
     def _writeRecord(self):
         results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)

@@ -11,7 +11,7 @@ import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun, report
+from yade.superquadric import Interrupted, ImpactRun, impactpictures, renderer, report, vtkfiles
 from yade.superquadric.parameterlist import addOptions, fromFile, given
 from yade.superquadric.parameters import PARAMETERS, defaults
 
@@ -29,7 +29,8 @@ def parser():
     result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
     result.add_argument('--bed', metavar='FOLDER', help='take the finished bed in that folder instead of pouring one')
     result.add_argument('--bedOnly', action='store_true', help='stop when the bed is at rest, and leave it in the output folder for --bed')
-    result.add_argument('--noPictures', action='store_true', help='draw none (saves 3 s)')
+    result.add_argument('--noPictures', action='store_true', help='draw none (saves a minute)')
+    result.add_argument('--vtk', action='store_true', help='also write the impact as a series for ParaView (folder vtk, see docs/view.md)')
     result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
     result.add_argument('--quiet', action='store_true', help='no progress')
     addOptions(result, PARAMETERS)
@@ -65,9 +66,12 @@ def start(options, values):
 def main():
     options = parser().parse_args(sys.argv[1:])
     try:
+        if options.vtk:
+            vtkfiles.requireVtk()
         run, output = start(options, given(options, PARAMETERS))
         run.pictures = not options.noPictures
-    except (OSError, ValueError) as error:
+        run.state['vtk'] = options.vtk or run.state.get('vtk', False)
+    except (ImportError, OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)
         return BAD_INPUT
     try:
@@ -83,7 +87,9 @@ def main():
         print(f'bed        {output}, for --bed')
         return 0
     print(report.text(summary))
-    print(f'results    {output}/summary.json, force.csv{"" if options.noPictures else ", force.png, bed.png"}')
+    if run.pictures and renderer.missing():
+        print(f'pictures   {renderer.missing()}')
+    print(f'results    {output}/{", ".join([report.SUMMARY, report.RECORD, *impactpictures.made(run)])}')
     return 0
 
 

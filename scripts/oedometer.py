@@ -13,7 +13,7 @@ import sys
 from yade.superquadric import Interrupted, oedometercomparison
 from yade.superquadric.oedometer import OedometerRun
 from yade.superquadric.oedometerparameters import PARAMETERS
-from yade.superquadric.oedometerreport import FILES, PICTURES, text
+from yade.superquadric.oedometerreport import FILES, text
 from yade.superquadric.parameterlist import addOptions, fromFile, given
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
@@ -71,7 +71,9 @@ def single(options, stream):
         print(f'bed        {options.output}, for --bed')
     else:
         print(text(summary))
-        print(f'results    {options.output}/{", ".join(FILES[:-len(PICTURES)] if options.noPictures else FILES)}')
+        if run.pictures and renderer.missing():
+            print(f'pictures   {renderer.missing()}')
+        print(f'results    {options.output}/{", ".join(name for name in FILES if os.path.exists(run.path(name)))}')
 
 
 def comparison(options, stream):

@@ -18,7 +18,7 @@ from yade.superquadric.impact import supportForce, surfaceSpeed
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 SMALL_OPTIONS = [text for name, value in SMALL.items() for text in ('--' + name, str(value))]
-FILES = ['after.npz', 'bed.png', 'before.npz', 'force.csv', 'force.png', 'summary.json']
+FILES = ['after.npz', 'bed.png', 'before.npz', 'chains.png', 'force.csv', 'force.png', 'impact.gif', 'summary.json']
 
 
 def run(output, **parameters):
@@ -39,7 +39,7 @@ def record(output):
 def test_filesAreThere(small):
     output, _ = small
     assert sorted(os.listdir(output)) == FILES
-    for name in ('bed.png', 'force.png'):
+    for name in ('bed.png', 'chains.png', 'force.png', 'impact.gif'):
         assert os.path.getsize(output / name) > 10000
 
 

@@ -1,0 +1,67 @@
+"""Pictures of an impact: the force over time, the bed before and after, the force chains at the peak, and an animation (docs/view.md)."""
+import os
+import shutil
+
+from . import plots, render, renderer
+from .film import Film
+from .impact import Pulse
+from .parameters import shapeOf
+
+FORCE, BED, CHAINS, ANIMATION = FILES = ('force.png', 'bed.png', 'chains.png', 'impact.gif')
+FRAMES, SERIES = 'frames', 'vtk'  # folders
+PERIOD = 1.5e-4    # from frame to frame [s]: a pulse lasts some 2 ms
+AFTERWARDS = 2e-3  # for which the animation goes on when the pulse is over [s]
+MOST = 60          # frames of the animation
+
+
+def film(run):
+    """The `Film` of the impact of a `run` (`ImpactRun`), None where none is wanted."""
+    drawn = run.pictures and renderer.missing() is None
+    if not drawn and not run.state.get('vtk'):
+        return None
+    return Film(run.path(FRAMES) if drawn else None, run.path(SERIES) if run.state.get('vtk') else None, run.state['startTime'], PERIOD)
+
+
+def removeOld(run):
+    """Remove the frames and the series that an earlier run left in the folder."""
+    for folder in (FRAMES, SERIES):
+        shutil.rmtree(run.path(folder), ignore_errors=True)
+
+
+def made(run):
+    """Names of the pictures that are in the run's folder."""
+    return [name for name in FILES if os.path.exists(run.path(name))]
+
+
+def draw(run):
+    """Draw all pictures of a finished `run`; those of particles only where the packages for it are (`renderer.missing`)."""
+    p, state = run.parameters, run.state
+    pulse = Pulse(**state['pulse'])
+    title = f'{len(run.ids)} particles ({_describe(p)}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
+    plots.forcePicture(run.path(FORCE), (run.recorder.column('time'), run.recorder.column('baseForce')), pulse, state['staticForce'],
+                       (state['bare']['times'], state['bare']['forces']), title)
+    frames = [] if run.film is None else run.film.frames()
+    if frames:
+        try:
+            _drawParticles(run, frames, pulse, title)
+        except RuntimeError as error:  # of the graphics library: the results do not depend on it
+            run.stepper.say(f'no pictures of the particles: {error}')
+    if run.film is not None:
+        run.film.remove()
+
+
+def _drawParticles(run, frames, pulse, title):
+    start = run.state['startTime']
+    render.picture(run.path(BED), [('before the impact', frames[0]), ('after the impact', frames[-1])], cut=True,
+                   title=title + ' (front half taken away)')
+    peak = min(frames, key=lambda frame: abs(frame.time - start - pulse.peakTime))
+    render.picture(run.path(CHAINS), [('', peak)], chains=True, title=f'Forces at the peak on the base, {1e3 * pulse.peakTime:.2f} ms')
+    shown = [frame for frame in frames if frame.time - start <= pulse.lastTime + AFTERWARDS]
+    render.animation(run.path(ANIMATION), shown[::-(-len(shown) // MOST)], cut=True, start=start)
+
+
+def _describe(p):
+    """The shape in words: its name, and exponents and aspect that are not the name's own."""
+    shape, own = shapeOf(p), shapeOf({**p, 'n1': None, 'n2': None})
+    special = [f'$n_1$ = {shape.n1:g}'] * (shape.n1 != own.n1) + [f'$n_2$ = {shape.n2:g}'] * (shape.n2 != own.n2)
+    return ', '.join([p['shape'], *special, *[f'c/a = {p["aspect"]:g}'] * (p['aspect'] != 1)])

@@ -1,0 +1,135 @@
+"""Pictures (PNG) and animations (GIF) of a scene, a snapshot or a recorded series, drawn off-screen.
+
+    sq.picture('bed.png', sq.Frame.ofScene(), colour='speed')
+    sq.animation('impact.gif', sq.RecordedSeries('vtk'), chains=True)
+"""
+import os
+
+import numpy as np
+
+from . import checks
+from .frame import Frame
+from .renderer import Renderer
+from .renderpieces import COLOURS, Style, camera, pieces
+from .snapshot import Snapshot
+
+DPI = 200              # of pictures; of animations half of it
+TITLE, CAPTION = 11, 9  # pt
+FOOT = 0.07            # room for the scale below a view, over its height
+
+
+def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=1100):
+    """A PNG of one view or several side by side, in the same scale and colours.
+
+    :param views: a `Frame` or `Snapshot`, or a list of (caption, such)
+    :param colour: of the particles: 'plain', 'kind' (shape), 'speed', 'force' (largest normal force), 'pressure', 'octahedralStress', 'contacts'; None: not drawn
+    :param chains: normal forces as tubes between centres, whose section grows with the force; particles are translucent then
+    :param cut: take the half towards the viewer away
+    :param limits: (lowest, highest) of the colours; None: from the views; chainLimit: the force [N] of the thickest tubes, None: from the views
+    :param elevation, azimuth: of the viewer above the horizontal and around z, from -y [degrees]
+    :param width: of a view in pixels
+    :raises ValueError: a value out of range; ImportError: a package is missing; RuntimeError: drawing failed
+    """
+    _checkPath(path, '.png')
+    captions, frames = zip(*_views(views))
+    style = _style(frames, colour, chains, cut, limits, chainLimit)
+    eye, size = _eye(frames, style, elevation, azimuth, width)
+    with Renderer() as renderer:
+        images = [renderer.draw(pieces(frame, style, eye, size), eye, size) for frame in frames]
+    figure = _compose(images, captions, style, title, eye, DPI)
+    figure.savefig(path, dpi=DPI, metadata={'Software': None})
+
+
+def animation(path, frames, colour='speed', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=480,
+              rate=12.0, start=None):
+    """A GIF of `frames` (a sequence of `Frame`, a `RecordedSeries` for example), all in the same scale and colours; the caption is the time.
+
+    :param rate: frames a second
+    :param start: the moment [s] from which the time counts; None: the first frame's
+    :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
+    """
+    from PIL import Image
+    _checkPath(path, '.gif')
+    frames, rate = list(frames), checks.positive('rate', rate)
+    if not frames:
+        raise ValueError('frames = []: there is nothing to show')
+    style = _style(frames, colour, chains, cut, limits, chainLimit)
+    eye, size = _eye(frames, style, elevation, azimuth, width)
+    start, pictures = frames[0].time if start is None else start, []
+    with Renderer() as renderer:
+        for frame in frames:
+            figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
+            pictures.append(_pixels(figure, DPI // 2))
+    palette = Image.fromarray(np.concatenate(pictures[::max(len(pictures) // 8, 1)])).quantize(128, dither=Image.Dither.NONE)
+    images = [Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    images[0].save(path, save_all=True, append_images=images[1:], duration=int(1000 / rate), loop=0, optimize=True)
+
+
+def _views(views):
+    """List of (caption, Frame)."""
+    if isinstance(views, (Frame, Snapshot)):
+        views = [('', views)]
+    if not views:
+        raise ValueError('views = []: there is nothing to show')
+    return [(caption, Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view) for caption, view in views]
+
+
+def _style(frames, colour, chains, cut, limits, chainLimit):
+    checks.oneOf('colour', colour, (*COLOURS, None))
+    if limits is not None and not checks.finite('limits[0]', limits[0]) < checks.finite('limits[1]', limits[1]):
+        raise ValueError(f'limits = {limits!r}: the first must be below the second')
+    return Style.of(frames, colour, checks.boolean('chains', chains), checks.boolean('cut', cut), limits,
+                    None if chainLimit is None else checks.positive('chainLimit', chainLimit))
+
+
+def _eye(frames, style, elevation, azimuth, width):
+    """Camera that sees all `frames`, and the size of the picture."""
+    width = checks.wholeNumber('width', width, 50)
+    eye, shape = camera(frames, style, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
+    return eye, (width, int(np.clip(round(width * shape), 50, 4 * width)))
+
+
+def _checkPath(path, ending):
+    if os.path.splitext(os.fspath(path))[1].lower() != ending:
+        raise ValueError(f'path = {path!r}: must end in {ending}')
+
+
+def _clock(seconds):
+    return f'{1e3 * seconds:.2f} ms' if abs(seconds) < 1 else f'{seconds:.3f} s'
+
+
+def _compose(images, captions, style, title, eye, dpi):
+    """Figure of the images side by side with captions, a scale, and a bar for each kind of colours."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    height, width = images[0].shape[:2]
+    figure = Figure(figsize=((len(images) * width / dpi + 0.05) + 0.95 * len(style.bars()), (1 + FOOT) * height / dpi + 0.28 * any(captions) + 0.32 * bool(title)),
+                    layout='constrained')
+    FigureCanvasAgg(figure)
+    panels = np.atleast_1d(figure.subplots(1, len(images)))
+    for axes, image, caption in zip(panels, images, captions):
+        axes.imshow(image, interpolation='lanczos')
+        axes.set_title(caption, fontsize=CAPTION)
+        axes.axis('off')
+        axes.set_ylim((1 + FOOT) * height, 0)
+    _drawScale(panels[0], eye['height'] / height, images[0].shape)
+    for mappable, label in style.bars():
+        figure.colorbar(mappable, ax=list(panels), shrink=0.8, aspect=24, pad=0.01, extend='max').set_label(label, fontsize=CAPTION)
+    figure.suptitle(title, fontsize=TITLE)
+    return figure
+
+
+def _drawScale(axes, pixel, shape):
+    """A bar of 1, 2 or 5 times a power of ten below the picture, about a sixth as wide; `pixel`: what one shows [m]."""
+    target = shape[1] * pixel / 6
+    power = 10 ** np.floor(np.log10(target))
+    length = power * max(factor for factor in (1, 2, 5) if factor * power <= target)
+    left, low = 0.02 * shape[1], (1 + FOOT / 2) * shape[0]
+    axes.plot([left, left + length / pixel], [low, low], color='#30343a', lw=2, solid_capstyle='butt')
+    axes.text(left + length / pixel + 0.01 * shape[1], low, f'{1e3 * length:g} mm', va='center', fontsize=CAPTION - 2, color='#30343a')
+
+
+def _pixels(figure, dpi):
+    figure.set_dpi(dpi)
+    figure.canvas.draw()
+    return np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()

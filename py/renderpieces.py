@@ -1,0 +1,206 @@
+"""What a frame looks like: triangles and tubes with their colours, and where to look from."""
+import numpy as np
+
+from . import bodyarrays
+from .frame import Frame
+from .surfaces import UPRIGHT, containerSurfaces, particleSurfaces
+
+SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
+KINDS = np.array([(0.90, 0.62, 0.00), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.94, 0.89, 0.26), (0.00, 0.45, 0.70)])  # Okabe & Ito
+CONTAINER = (0.55, 0.62, 0.70)
+FINENESS = 0.4         # of a pixel: distance between a particle's surface and its triangles
+DETAILS = 0.004, 0.05  # the same over the largest half size, at least and at most
+FAINT, MIST = 0.05, (0.45, 0.50, 0.56)  # opacity and colour of plain particles around force chains
+GLASS = 0.18, 0.10     # opacity of the container, and around force chains
+TOP_SHARE = 0.995      # of all values lie below the end of a colour scale
+WEAK = 0.02            # forces below this share of the largest shown are left out
+THICKEST = 0.38        # radius of the thickest tube, over the particles' smallest half size (its median)
+ROOM = 1.04            # picture over what is in it
+HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
+LARGE = 2.0            # half size over the median, above which a particle is not cut away: an impactor
+
+# What colours mean: label, factor from SI, values of a frame.
+COLOURS = {
+    'plain': None, 'kind': None,
+    'speed': ('speed [m/s]', 1.0, lambda frame: frame.speeds()),
+    'force': ('largest normal force [N]', 1.0, lambda frame: frame.largestForces()),
+    'pressure': ('pressure [kPa]', 1e-3, lambda frame: -np.trace(frame.particles['stress'], axis1=1, axis2=2) / 3),
+    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda frame: frame.particles['octahedralStress']),
+    'contacts': ('contacts', 1.0, lambda frame: frame.particles['contacts'].astype(float)),
+}
+CHAIN_LABEL = 'normal force of contacts [N]'
+
+
+class Style:
+    """How frames are coloured: all of one picture or animation alike.
+
+    :ivar colour, chains, cut: as in `render.picture`; :ivar limits: of the particles' colours; :ivar chainLimit: [N]; :ivar thickest: radius [m]
+    :ivar kinds: shapes (M, 4); :ivar box: around the particles of all frames (2, 3) [m]
+    """
+
+    def __init__(self, colour, chains, cut, limits, chainLimit, thickest, kinds, box):
+        self.colour, self.chains, self.cut = colour, chains, cut
+        self.limits, self.chainLimit, self.thickest, self.kinds, self.box = limits, chainLimit, thickest, kinds, box
+
+    @classmethod
+    def of(cls, frames, colour, chains, cut, limits, chainLimit):
+        if colour is not None and COLOURS[colour] is not None and limits is None:
+            values = np.concatenate([COLOURS[colour][1] * COLOURS[colour][2](frame) for frame in frames])
+            limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
+        if chains and chainLimit is None:
+            chainLimit = max(_quantile(frame.normalForces(), TOP_SHARE) for frame in frames)
+        sizes = [np.median(frame.particles['extents'].min(axis=1)) for frame in frames if len(frame.particles)]
+        kinds = np.unique(np.concatenate([_shapes(frame) for frame in frames]), axis=0)
+        boxes = np.array([_particleBox(frame) for frame in frames])
+        box = np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+        return cls(colour, chains, cut, limits, chainLimit, THICKEST * min(sizes, default=0.0), kinds, box)
+
+    def bars(self):
+        """List of (matplotlib's ScalarMappable, label)."""
+        from matplotlib.cm import ScalarMappable
+        result = []
+        if self.limits is not None:
+            result.append((ScalarMappable(_norm(self.limits), 'viridis'), COLOURS[self.colour][0]))
+        if self.chains:
+            result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
+        return result
+
+    def colours(self, frame):
+        """Of the particles, (N, 3) bytes."""
+        if self.colour == 'plain':
+            return _bytes(np.tile(MIST, (len(frame.particles), 1)) if self.chains else _plain(frame.particles))
+        if self.colour == 'kind':
+            own = _shapes(frame)
+            return _bytes(KINDS[[int(np.flatnonzero((self.kinds == shape).all(axis=1))[0]) % len(KINDS) for shape in own]].reshape(-1, 3))
+        mappable, _ = self.bars()[0]
+        label, factor, values = COLOURS[self.colour]
+        return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
+
+
+def pieces(frame, style, eye, size):
+    """What `Renderer.draw` takes: container, particles, force chains of the `frame`, for a picture of `size` pixels."""
+    result, container = [], _container(frame, style)
+    plane = _cutPlane(style, frame, eye['direction'])
+    rows = _kept(frame.particles, plane)
+    shown = frame.particles[rows]
+    if style.colour is not None and len(shown):
+        surface = particleSurfaces(shown, _detail(shown, eye['height'] / size[1]))
+        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colours=style.colours(frame)[rows][surface.owner],
+                           opacity=FAINT if style.chains else 1.0))
+    if style.chains:
+        result += _chains(frame, style, plane)
+    if len(container.points):
+        result.append(dict(points=container.points, triangles=container.triangles, normals=container.normals, colour=CONTAINER,
+                           opacity=GLASS[style.chains], specular=0.0, **({} if plane is None else {'keep': plane})))
+    return result
+
+
+def _cutPlane(style, frame, direction):
+    """(point, normal) of the upright plane through the middle of the container or the particles; None without `cut`."""
+    if not style.cut:
+        return None
+    return Frame(frame.particles[:0] if len(frame.container) else frame.particles, container=frame.container).box().mean(axis=0), _horizontal(direction)
+
+
+def _kept(particles, plane):
+    """Which particles lie behind the plane (None: all), or are so large that the picture would miss them."""
+    if plane is None or not len(particles):
+        return np.ones(len(particles), dtype=bool)
+    sizes = particles['extents'].max(axis=1)
+    return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * np.median(sizes))
+
+
+def _detail(particles, pixel):
+    """`pixel`: what one shows [m]. Rounded, so that tessellations are made once for many frames."""
+    return float(np.clip(np.round(FINENESS * pixel / np.median(particles['extents'].max(axis=1)), 3), *DETAILS))
+
+
+def _chains(frame, style, plane):
+    """Tubes from centre to centre, of a section in proportion to the force."""
+    forces, rows = frame.normalForces(), frame.contacts
+    strong = forces > WEAK * style.chainLimit
+    if plane is not None:
+        strong &= (rows['point'] - plane[0]) @ plane[1] > 0
+    if not strong.any():
+        return []
+    share, mappable = np.clip(forces[strong] / style.chainLimit, 0, 1), style.bars()[-1][0]
+    ends = np.stack([rows['centre1'], rows['centre2']], axis=1)[strong].reshape(-1, 3)
+    return [dict(points=ends, lines=np.arange(len(ends)).reshape(-1, 2), radii=np.repeat(style.thickest * np.sqrt(share), 2),
+                 colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]
+
+
+def camera(frames, style, elevation, azimuth):
+    """Camera (see `Renderer.draw`) that sees all `frames`, and height over width of its picture. Angles [rad]."""
+    direction = np.array([np.sin(azimuth) * np.cos(elevation), np.cos(azimuth) * np.cos(elevation), -np.sin(elevation)])
+    right = np.array([np.cos(azimuth), -np.sin(azimuth), 0])
+    up = np.cross(right, direction)
+    corners = np.concatenate([_boxCorners(style.box), *(_container(frame, style).points for frame in (frames[0], frames[-1]))])
+    plane = _cutPlane(style, frames[0], direction)
+    if plane is not None:  # what is cut away is not looked at
+        corners = corners - np.minimum((corners - plane[0]) @ plane[1], 0)[:, None] * plane[1]
+    low, high = (np.array([(corners @ axis).min(), (corners @ axis).max()]) for axis in (right, up))
+    centre = low.mean() * right + high.mean() * up + (corners @ direction).mean() * direction
+    width, height = (ROOM * np.ptp(span) or 1.0 for span in (low, high))
+    return dict(centre=centre, direction=direction, up=up, height=height), height / width
+
+
+def _boxCorners(box):
+    return np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T
+
+
+def _particleBox(frame):
+    """Box around the particles alone, (2, 3) [m]; without any, around the container."""
+    return Frame(frame.particles).box() if len(frame.particles) else frame.box()
+
+
+def _container(frame, style):
+    """`Surface` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
+    rows, (low, high) = frame.container.copy(), style.box[:, 2]
+    for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(frame.particles) else ():
+        border = rows[row]
+        if abs(bodyarrays.matrices(border['orientation'])[2, 2]) > UPRIGHT:
+            bottom, top = (border['position'][2] + side * border['numbers'][1] / 2 for side in (-1, 1))
+            bottom, top = max(bottom, low - HEADROOM * (high - low)), min(top, high + HEADROOM * (high - low))
+            border['position'][2], border['numbers'][1] = (bottom + top) / 2, top - bottom
+    return containerSurfaces(rows, style.box)
+
+
+def _horizontal(direction):
+    flat = np.array([direction[0], direction[1], 0.0])
+    return flat / np.linalg.norm(flat) if np.linalg.norm(flat) > 1e-9 else np.asarray(direction)
+
+
+def _plain(rows):
+    """Sand of slightly different tints; what is of another material than most is steel."""
+    tint = 0.82 + 0.18 * ((rows['id'] * 0.618034) % 1)
+    colours = tint[:, None] * SAND
+    if len(rows):
+        materials, counts = np.unique(rows['material'], return_counts=True)
+        colours[rows['material'] != materials[counts.argmax()]] = STEEL
+    return colours
+
+
+def _shapes(frame):
+    """Proportions and exponents (N, 4), rounded: what a kind of particle has in common."""
+    rows = frame.particles
+    return np.round(np.column_stack([rows['extents'][:, 1:] / rows['extents'][:, :1], rows['exponents']]), 3)
+
+
+def _norm(limits):
+    from matplotlib.colors import Normalize
+    low, high = limits
+    return Normalize(low, high if high > low else low + 1)
+
+
+def _chainColours():
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+    return ListedColormap(colormaps['inferno_r'](np.linspace(0.14, 0.95, 256)))  # without what is lost on white
+
+
+def _bytes(colours):
+    return np.round(255 * np.clip(colours, 0, 1)).astype('u1')
+
+
+def _quantile(values, share):
+    return float(np.quantile(values, share)) if len(values) else 0.0

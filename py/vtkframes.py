@@ -1,0 +1,72 @@
+"""A recorded series (`vtkRecorder`) read back as frames, for pictures and for measures."""
+import os
+
+import numpy as np
+
+from . import bodyarrays, vtkfiles
+from .frame import Frame
+from .vtkseries import Series
+
+
+class RecordedSeries:
+    """The series in `folder`: a sequence of `Frame`, each read when it is asked for, in the single precision of the files.
+
+    :raises ValueError: there is none, or a file is missing or damaged
+    """
+
+    def __init__(self, folder):
+        self.folder = folder
+        self.moments = Series(folder, 'particles').entries()
+        if not self.moments:
+            raise ValueError(f'folder = {folder!r}: there is no recorded series (particles.pvd)')
+        self._files = {name: {entry.step: entry.file for entry in Series(folder, name).entries()} for name in ('contacts', 'container')}
+
+    def __len__(self):
+        return len(self.moments)
+
+    def __getitem__(self, place):
+        if isinstance(place, slice):
+            return [self[i] for i in range(*place.indices(len(self)))]
+        moment = self.moments[place]
+        return Frame(_particles(vtkfiles.read(self._path(moment.file))), self._optional('contacts', _contacts, moment.step),
+                     self._optional('container', _container, moment.step), moment.step, moment.time)
+
+    def _path(self, file):
+        return os.path.join(self.folder, file)
+
+    def _optional(self, name, convert, step):
+        file = self._files[name].get(step)
+        return None if file is None else convert(vtkfiles.read(self._path(file)))
+
+
+def _particles(data):
+    values = vtkfiles.arrays(data.GetPointData())
+    rows = np.zeros(data.GetNumberOfPoints(), bodyarrays.PARTICLE)
+    rows['position'] = vtkfiles.points(data)
+    rows['extents'], rows['orientation'] = values['halfSizes'], np.roll(values['orientation'], -1, axis=1)
+    rows['stress'] = values['stress'].reshape(-1, 3, 3)
+    for name in ('id', 'kind', 'material', 'contacts', 'exponents', 'velocity', 'spin', 'volume', 'octahedralStress'):
+        rows[name] = values[name]
+    return rows
+
+
+def _contacts(data):
+    values, ends = vtkfiles.arrays(data.GetCellData()), vtkfiles.points(data).reshape(-1, 2, 3)
+    rows = np.zeros(len(ends), bodyarrays.CONTACT)
+    rows['centre1'], rows['centre2'], rows['point'] = ends[:, 0], ends[:, 1], values['contactPoint']
+    for name in ('id1', 'id2', 'normalForce', 'shearForce', 'overlap'):
+        rows[name] = values[name]
+    return rows
+
+
+def _container(data):
+    numbers = vtkfiles.arrays(data.GetFieldData())['borders'].reshape(-1, 18)
+    rest = np.zeros(len(numbers), bodyarrays.BORDER)
+    rest['id'], rest['kind'] = numbers[:, 0], numbers[:, 1]
+    rest['position'], rest['orientation'], rest['numbers'] = numbers[:, 2:5], numbers[:, 5:9], numbers[:, 9:]
+    cells, corners = vtkfiles.arrays(data.GetCellData()), vtkfiles.triangles(data)
+    mine = cells['kind'] == bodyarrays.FACET
+    facets = np.zeros(np.count_nonzero(mine), bodyarrays.BORDER)
+    facets['id'], facets['kind'] = cells['id'][mine], bodyarrays.FACET
+    facets['numbers'] = vtkfiles.points(data)[corners[mine]].reshape(-1, 9)
+    return np.concatenate([rest, facets])

@@ -1,0 +1,70 @@
+"""A recorder for ParaView: an engine that writes the scene as compressed .vtp files with a .pvd time series (docs/view.md)."""
+import os
+
+from yade.wrapper import PyRunner
+
+from . import bodyarrays, checks, vtkfiles
+from .frame import Frame
+from .surfaces import DETAIL
+from .vtkseries import Series
+
+PERIODS = ('iterPeriod', 'virtPeriod', 'realPeriod')
+
+
+def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfaces=True, contacts=True, container=True,
+                detail=DETAIL, normals=False, ids=None, initRun=True, label=''):
+    """An engine for the end of `O.engines` that writes, as often as the period says, into `folder`:
+
+    particles.pvd: a point for each particle with all its data; surfaces.pvd: their surfaces with the same; contacts.pvd: a line from centre to centre
+    for every contact; container.pvd: walls, hollow cylinders, facets. docs/view.md lists the arrays.
+
+    After NewtonIntegrator, positions and velocities are those at the end of the step, contacts and stresses those at its beginning, which O.time
+    names. The engine is saved with the scene and goes on after O.load: it is a PyRunner whose command holds all that is given here, and
+    what it has written so far stands in the .pvd files. Moments after the loaded one go from there and are written again.
+
+    :param folder: for the files, as seen from the working directory of the run; made if need be
+    :param iterPeriod: steps, virtPeriod: simulated seconds, realPeriod: seconds of the clock between two moments; one of them at least
+    :param surfaces, contacts, container: whether to write them; very large beds do without surfaces, ParaView draws the points as glyphs
+    :param detail: of surfaces: largest distance between a particle's surface and its triangles, over its largest half size
+    :param normals: write the surfaces' normals: they look smoother, and the files are twice as large
+    :param ids: only these bodies, and the contacts that they have a part in; None: all
+    :param initRun: also write the first step
+    :param label: of the engine
+    :raises ValueError: a value out of range; ImportError: VTK's Python modules are missing; OSError: the folder cannot be written to
+    """
+    periods = _checkPeriods(iterPeriod, virtPeriod, realPeriod)
+    what = {name: checks.boolean(name, value) for name, value in (
+        ('surfaces', surfaces), ('contacts', contacts), ('container', container), ('normals', normals))}
+    what['detail'] = checks.above('detail', detail, 0, 1)
+    what['ids'] = None if ids is None else [checks.wholeNumber('ids', i, 0) for i in ids]
+    if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder)):
+        raise ValueError(f'folder = {folder!r}: must be the path of a folder')
+    bodyarrays.particles(ids)  # they are there
+    vtkfiles.requireVtk()
+    os.makedirs(folder, exist_ok=True)
+    if not os.access(folder, os.W_OK):
+        raise PermissionError(f'folder = {folder!r}: cannot be written to')
+    arguments = ', '.join(f'{name}={value!r}' for name, value in what.items())
+    command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({os.fspath(folder)!r}, {arguments})"
+    return PyRunner(command=command, updateGlobals=False, initRun=checks.boolean('initRun', initRun), label=label, **periods)
+
+
+def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
+    """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
+    frame = Frame.ofScene(ids)
+    series = [('particles', True, lambda: vtkfiles.particleData(frame)), ('surfaces', surfaces, lambda: vtkfiles.surfaceData(frame, detail, normals)),
+              ('contacts', contacts, lambda: vtkfiles.contactData(frame)), ('container', container, lambda: vtkfiles.containerData(frame))]
+    for name, wanted, make in series:
+        if wanted:
+            Series(folder, name).append(frame.step, frame.time, lambda path, make=make: vtkfiles.write(path, make()))
+
+
+def _checkPeriods(iterPeriod, virtPeriod, realPeriod):
+    """{name: value} of the periods that are given.
+
+    :raises ValueError: none is, or one is not positive
+    """
+    given = {name: value for name, value in zip(PERIODS, (iterPeriod, virtPeriod, realPeriod)) if value is not None}
+    if not given:
+        raise ValueError(f'iterPeriod = None: one of {", ".join(PERIODS)} is needed')
+    return {name: checks.wholeNumber(name, value, 1) if name == 'iterPeriod' else checks.positive(name, value) for name, value in given.items()}

@@ -1,0 +1,63 @@
+"""A time series of files for ParaView: NAME.pvd in a folder, and the files of its moments in the folder NAME beside it."""
+import os
+from collections import namedtuple
+from xml.etree import ElementTree
+from xml.sax.saxutils import quoteattr
+
+from .results import Replacing
+
+Entry = namedtuple('Entry', 'step time file')
+Entry.__doc__ = """A moment of a series: O.iter, O.time [s], file beside the .pvd."""
+
+
+class Series:
+    """The series `folder`/`name`.pvd. The .pvd is replaced as a whole with each new moment, and names complete files only: a run may be killed at any
+    time, and ParaView may read while it goes on.
+
+    The list is the file's: whoever goes on with a run needs nothing else.
+    """
+
+    def __init__(self, folder, name):
+        self.folder, self.name = folder, name
+        self.path = os.path.join(folder, f'{name}.pvd')
+
+    def entries(self):
+        """The moments so far, a list of `Entry`, in the order of time.
+
+        :raises ValueError: a damaged .pvd
+        """
+        if not os.path.exists(self.path):
+            return []
+        try:
+            return [Entry(_step(node.attrib['file']), float(node.attrib['timestep']), node.attrib['file'])
+                    for node in ElementTree.parse(self.path).iter('DataSet')]
+        except (ElementTree.ParseError, KeyError, ValueError) as error:
+            raise ValueError(f'{self.path}: is damaged, or another program\'s ({error}); remove it to begin anew') from None
+
+    def append(self, step, time, write):
+        """Add the moment; `write(path)` makes its file. Moments that the series has at this step and later are of a run that did not go on (of
+        before an O.load, or an earlier one from the start) and go, with their files.
+        """
+        before = self.entries()
+        kept = [entry for entry in before if entry.step < step]
+        file = f'{self.name}/{self.name}.{step:010d}.vtp'
+        os.makedirs(os.path.join(self.folder, self.name), exist_ok=True)
+        if len(kept) < len(before):
+            self._write(kept)
+            for entry in before[len(kept):]:
+                if os.path.exists(os.path.join(self.folder, entry.file)):
+                    os.remove(os.path.join(self.folder, entry.file))
+        write(os.path.join(self.folder, file))
+        self._write([*kept, Entry(step, time, file)])
+
+    def _write(self, entries):
+        with Replacing(self.path) as file:
+            file.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n<Collection>\n')
+            for entry in entries:
+                file.write(f'<DataSet timestep="{entry.time!r}" part="0" file={quoteattr(entry.file)}/>\n')
+            file.write('</Collection>\n</VTKFile>\n')
+
+
+def _step(file):
+    """The step in a file's name."""
+    return int(file.rsplit('.', 2)[-2])
