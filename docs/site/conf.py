@@ -21,10 +21,8 @@ html_show_sphinx = False
 html_copy_source = False
 
 myst_heading_anchors = 4
-# "(19)" at the start of a line is an equation's number of a paper.
-myst_disable_syntax = ['amsmath']
-suppress_warnings = ['myst.xref_missing'] if os.environ.get('SUPERQUADRIC_DOCS_DRAFT') else []
 
 autodoc_member_order = 'bysource'
 autodoc_typehints = 'none'
+autodoc_mock_imports = ['getfem', 'pandas', 'scipy']  # their modules are described without running them
 html_math_renderer = 'mathml'

@@ -36,6 +36,7 @@ def ours():
 
 def rest(text):
     """A docstring's text as reStructuredText: $...$ is mathematics, and YADE's notes on types are left out."""
+    text = text.replace('|yupdate|', 'Updated in every step.')
     text = re.sub(r'\$([^$]+)\$', r':math:`\1`', FIELD.sub('', text.replace('[defined below]', '')))
     return re.sub(r'[ \t]+', ' ', text).strip()
 
