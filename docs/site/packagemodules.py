@@ -1,6 +1,7 @@
 """The directive `packagemodules`: a section for each module of a Python package, written by autodoc."""
 import importlib
 import pkgutil
+import re
 
 from docutils import nodes
 from docutils.statemachine import StringList
@@ -29,6 +30,12 @@ class PackageModules(SphinxDirective):
         return parent.children
 
 
+def fieldsOnLinesOfTheirOwn(app, what, name, object, options, lines):
+    """Docstrings here may have several fields in a line: `:param a: ...; :param b: ...`."""
+    lines[:] = [part for line in lines for part in re.split(r'(?<=\S)[;.,]? (?=:(?:param|ivar|returns|raises) ?[^:]*:)', line)]
+
+
 def setup(app):
+    app.connect('autodoc-process-docstring', fieldsOnLinesOfTheirOwn)
     app.add_directive('packagemodules', PackageModules)
     return {'parallel_read_safe': True, 'parallel_write_safe': True}
