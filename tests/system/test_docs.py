@@ -1,5 +1,5 @@
 """What the documentation says to type works: Python blocks run, page by page, and give what stands below them; commands name scripts, options and
-targets that exist."""
+targets that exist; links lead somewhere."""
 import functools
 import re
 import shlex
@@ -17,6 +17,8 @@ CONSOLE = dict(vars(__main__))  # the names that YADE's console offers: pytest r
 # A line that begins with a command, and those that go on with it after a backslash.
 COMMAND = re.compile(r'^(?: {4})?(?:sudo )?(?:tools/env|yade|yade-batch|make|tests/bench/run|tests/run) (?:.*\\\n)*.*', re.M)
 
+LINK = re.compile(r'\]\((?!https?:)([^)#\s]*)(?:#([^)\s]*))?\)')
+
 
 def named(page):
     return str(page.relative_to(PROJECT))
@@ -31,6 +33,21 @@ def commands(page):
     text = page.read_text()
     for found in COMMAND.finditer(text):
         yield text.count('\n', 0, found.start()) + 1, shlex.split(found[0].replace('\\\n', ' '), comments=True)
+
+
+@functools.cache
+def anchors(page):
+    """What links may name behind the # of a Markdown page: its headings, in lower case, with hyphens for spaces, without punctuation."""
+    headings = re.findall(r'^#+ +(.*)', page.read_text(), re.M)
+    return {re.sub(r'[^\w -]', '', heading.lower()).replace(' ', '-') for heading in headings}
+
+
+def deadLinks(page):
+    """Links of the page to files or headings that are not there, images included."""
+    for target, anchor in LINK.findall(page.read_text()):
+        file = page.parent / target if target else page
+        if not file.exists() or (anchor and file.suffix == '.md' and anchor not in anchors(file)):
+            yield f'{target}#{anchor}' if anchor else target
 
 
 @functools.cache
@@ -83,6 +100,11 @@ def test_commands(page):
     assert not problems, '\n'.join(problems)
 
 
+@pytest.mark.parametrize('page', [PAGES[0], *sorted((PROJECT / 'docs').rglob('*.md'))], ids=named)
+def test_links(page):
+    assert not list(deadLinks(page))
+
+
 def test_pages_and_commands_are_found():
     """The tests above look at something: the pages for newcomers have Python, the README has commands with options."""
     withPython = {named(page) for page in PAGES if 'python' in kinds(page)}
@@ -90,7 +112,9 @@ def test_pages_and_commands_are_found():
     assert any('--aspect' in words for _, words in commands(PROJECT / 'README.md'))
 
 
-def test_untrue_pages_are_noticed():
+def test_untrue_pages_are_noticed(tmp_path):
+    (tmp_path / 'page.md').write_text('# One, two\n[here](#one-two) [there](page.md#three) ![picture](none.png)')
+    assert list(deadLinks(tmp_path / 'page.md')) == ['page.md#three', 'none.png']
     assert list(wrong(['make', 'coffee'])) == ['make has no target coffee']
     assert list(wrong(['yade', 'scripts/none.py'])) == ['there is no scripts/none.py']
     assert list(wrong(['yade', '-n', 'scripts/impact.py', '--aspects', '2'])) == ['scripts/impact.py has no option --aspects']
