@@ -40,3 +40,7 @@ endforeach()
 # For a system-wide installation the plugin goes to YADE's own places, where every `yade` finds it.
 install(TARGETS superquadric LIBRARY DESTINATION ${YADE_libDir})
 install(DIRECTORY py/ DESTINATION ${YADE_libDir}/py/yade/superquadric FILES_MATCHING PATTERN *.py PATTERN *.yaml)
+include(GNUInstallDirs)
+install(DIRECTORY scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/${PROJECT_NAME} USE_SOURCE_PERMISSIONS PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN *.md PATTERN *.png)
+install(FILES README.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -36,7 +36,7 @@ def lastPeriods(motion, periods, samples):
 def fundamental(times, values, frequency):
     """Complex amplitude A of the part at `frequency` [Hz]: values = Im(A exp(2 pi i frequency times)) + constant + rest, by least squares.
 
-    A response to a force F sin(2 pi frequency t) has the amplitude |A| and lags behind it by -arg A.
+    A response to a force F sin(2 pi frequency t) has the amplitude `abs(A)` and lags behind it by -arg A.
     """
     angles = 2 * math.pi * frequency * np.asarray(times)
     columns = np.stack([np.sin(angles), np.cos(angles), np.ones_like(angles)], axis=1)

@@ -1,4 +1,4 @@
-"""Elastoplastic materials: those that are shipped (materials/*.yaml), from a user's material file, or from its numbers."""
+"""Elastoplastic materials: those that are shipped (`materials/*.yaml`), from a user's material file, or from its numbers."""
 import math
 import os
 from collections.abc import Mapping

@@ -71,8 +71,8 @@ class Stepper:
         self.left = None
 
     def secondsLeft(self):
-        """Expected seconds for what the plan still holds; None before there is something to go by."""
-        if self.steps < 20:
+        """Expected seconds for what the plan still holds; None without a plan, or before there is something to go by."""
+        if not self.plan or self.steps < 20:
             return None
         left = sum(steps for stage, steps in self.plan.items() if stage != self.stage)
         left += max(self.plan.get(self.stage, 0) - self.stageSteps, 0)
@@ -87,7 +87,8 @@ class Stepper:
             return
         self._lastReport = now
         left = self.secondsLeft()
-        text = f'{self.stage}: step {self.stageSteps}, t = {O.time:.4f} s' + (
+        stage = f'{self.stage}: ' if self.stage else ''
+        text = f'{stage}step {self.stageSteps}, t = {O.time:.4f} s' + (
             '' if left is None else f', about {_clock(left)} left')
         self.stream.write(f'\r\x1b[K{text}' if terminal else text + '\n')
         self.stream.flush()

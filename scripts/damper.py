@@ -5,31 +5,20 @@
 One run is one frequency. YADE's own options (-n: no 3D view, -x: leave at the end, -j 2: two threads) come before the script, the
 script's own after it. SI units. What is measured, and how, is told in docs/damper.md.
 """
-import argparse
 import os
 import sys
 
-from yade.superquadric import Interrupted
+from yade.superquadric import Interrupted, commandline
+from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.damper import DamperRun
 from yade.superquadric.damperparameters import PARAMETERS
 from yade.superquadric.damperreport import FILES, text
-from yade.superquadric.parameterlist import addOptions, fromFile, given
-
-BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
+from yade.superquadric.parameterlist import addOptions
 
 
 def parser():
     """The command line: an option for every parameter of the study."""
-    result = argparse.ArgumentParser(prog='yade -n -x scripts/damper.py', description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('--output', metavar='FOLDER', default=os.path.join('results', 'damper'),
-                        help='folder for the results (default: %(default)s)')
-    result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; parameters are those it was '
-                        'started with')
-    result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
-    result.add_argument('--noPictures', action='store_true', help='draw none')
-    result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
-    result.add_argument('--quiet', action='store_true', help='no progress')
+    result = commandline.parser('scripts/damper.py', __doc__, os.path.join('results', 'damper'))
     addOptions(result, PARAMETERS)
     return result
 
@@ -37,9 +26,9 @@ def parser():
 def start(options):
     """The run, begun, or taken up where it was interrupted."""
     stream = None if options.quiet else sys.stderr
-    if options.resume or (options.takeUp and DamperRun.isInterrupted(options.output)):
+    if commandline.resumes(options, DamperRun, options.output):
         return DamperRun.resume(options.output, stream)
-    return DamperRun.begin({**fromFile(options.parameters), **given(options, PARAMETERS)}, options.output, stream)
+    return DamperRun.begin(commandline.parametersOf(options, PARAMETERS), options.output, stream)
 
 
 def main():

@@ -6,33 +6,22 @@
 YADE's own options (-n: no 3D view, -x: leave at the end, -j 2: two threads) come before the script, the script's own
 after it. SI units. What is measured, and how, is told in docs/impact.md.
 """
-import argparse
 import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun, impactpictures, renderer, report, vtkfiles
+from yade.superquadric import Interrupted, ImpactRun, commandline, impactpictures, renderer, report, vtkfiles
+from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.parameterlist import addOptions, fromFile, given
 from yade.superquadric.parameters import PARAMETERS, defaults
-
-BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
 
 def parser():
     """The command line: an option for every parameter of the study."""
-    result = argparse.ArgumentParser(prog='yade -n -x scripts/impact.py', description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('--output', metavar='FOLDER', help='folder for the results (default: results/impact, or '
-                        'results/ and the batch table\'s description)')
-    result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; '
-                        'parameters are those it was started with')
-    result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
+    result = commandline.parser('scripts/impact.py', __doc__, None, "results/impact, or results/ and the batch table's description")
     result.add_argument('--bed', metavar='FOLDER', help='take the finished bed in that folder instead of pouring one')
     result.add_argument('--bedOnly', action='store_true', help='stop when the bed is at rest, and leave it in the output folder for --bed')
-    result.add_argument('--noPictures', action='store_true', help='draw none (saves a minute)')
     result.add_argument('--vtk', action='store_true', help='also write the impact as a series for ParaView (folder vtk, see docs/view.md)')
-    result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
-    result.add_argument('--quiet', action='store_true', help='no progress')
     addOptions(result, PARAMETERS)
     return result
 
@@ -55,7 +44,7 @@ def start(options, values):
     table, description = fromTable()
     output = options.output or os.path.join('results', description)
     stream = None if options.quiet else sys.stderr
-    if options.resume or (options.takeUp and ImpactRun.isInterrupted(output)):
+    if commandline.resumes(options, ImpactRun, output):
         return ImpactRun.resume(output, stream), output
     parameters = {**fromFile(options.parameters), **table, **values}
     if options.bed:

@@ -6,42 +6,26 @@
 YADE's own options (-n: no 3D view, -x: leave at the end, -j 2: two threads) come before the script, the script's own after it. SI units. What is
 measured, and how, is told in docs/oedometer.md.
 """
-import argparse
 import os
 import sys
 
-from yade.superquadric import Interrupted, oedometercomparison
+from yade.superquadric import Interrupted, commandline, oedometercomparison
+from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED, parametersOf
 from yade.superquadric.oedometer import OedometerRun
 from yade.superquadric.oedometerparameters import PARAMETERS
 from yade.superquadric.oedometerreport import FILES, text
-from yade.superquadric.parameterlist import addOptions, fromFile, given
-
-BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
+from yade.superquadric.parameterlist import addOptions
 
 
 def parser():
     """The command line: an option for every parameter of the test."""
-    result = argparse.ArgumentParser(prog='yade -n -x scripts/oedometer.py', description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    result.add_argument('--output', metavar='FOLDER', default=os.path.join('results', 'oedometer'),
-                        help='folder for the results (default: %(default)s)')
-    result.add_argument('--resume', action='store_true', help='go on with the interrupted run in that folder; parameters are those it was '
-                        'started with')
-    result.add_argument('--takeUp', action='store_true', help='the same where the folder holds an interrupted run; else begin one')
+    result = commandline.parser('scripts/oedometer.py', __doc__, os.path.join('results', 'oedometer'))
     result.add_argument('--bed', metavar='FOLDER', help='take the finished bed in that folder instead of making one')
     result.add_argument('--bedOnly', action='store_true', help='stop when the plate sits on the bed, and leave it in the output folder for --bed')
     result.add_argument('--modes', metavar='MODE,...', help='crush the same bed by each of these modes, in folders of their own, and compare; '
                         'goes on where it was stopped')
-    result.add_argument('--noPictures', action='store_true', help='draw none')
-    result.add_argument('--parameters', metavar='FILE', help='JSON file {name: value} of parameters; options override it')
-    result.add_argument('--quiet', action='store_true', help='no progress')
     addOptions(result, PARAMETERS)
     return result
-
-
-def parametersOf(options):
-    """From file and command line."""
-    return {**fromFile(options.parameters), **given(options, PARAMETERS)}
 
 
 def checkOptions(options):
@@ -55,11 +39,11 @@ def checkOptions(options):
 
 def start(options, stream):
     """The run, begun, or taken up where it was interrupted."""
-    if options.resume or (options.takeUp and OedometerRun.isInterrupted(options.output)):
+    if commandline.resumes(options, OedometerRun, options.output):
         return OedometerRun.resume(options.output, stream)
     if options.bed:
-        return OedometerRun.onBed(options.bed, parametersOf(options), options.output, stream)
-    return OedometerRun.begin(parametersOf(options), options.output, stream)
+        return OedometerRun.onBed(options.bed, parametersOf(options, PARAMETERS), options.output, stream)
+    return OedometerRun.begin(parametersOf(options, PARAMETERS), options.output, stream)
 
 
 def single(options, stream):
@@ -79,7 +63,7 @@ def single(options, stream):
 def comparison(options, stream):
     """Several tests on one bed."""
     modes = oedometercomparison.modesOf(options.modes)
-    print(oedometercomparison.text(oedometercomparison.compare(modes, parametersOf(options), options.output, stream, not options.noPictures)))
+    print(oedometercomparison.text(oedometercomparison.compare(modes, parametersOf(options, PARAMETERS), options.output, stream, not options.noPictures)))
     print(f'results    {options.output}/{oedometercomparison.TABLE}, and a folder for each mode')
 
 

@@ -1,4 +1,4 @@
-"""Material files (YAML): a metal's elastic constants and stress-strain curve, and the constants of the contact law identified from them.
+"""Material files (YAML): a metal's elastic constants and stress-strain curve, and the constants of the contact law identified from them::
 
     name, source              texts; where the data are from
     young [Pa], poisson, density [kg/m^3]

@@ -1,0 +1,28 @@
+"""Sphinx's settings for the site (`make docs`): pages are docs/*.md, the reference comes from the docstrings. Nothing is fetched from the network."""
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from yade.superquadric import __version__ as release  # noqa: E402
+
+project = 'yade-superquadric'
+author = 'The yade-superquadric authors'
+copyright = f'2026, {author}'
+version = release
+
+extensions = ['myst_parser', 'sphinx.ext.autodoc', 'yadeclasses', 'packagemodules', 'mathml']
+exclude_patterns = ['site']
+default_role = 'code'  # `name` in docstrings is code, as in Markdown
+
+html_theme = 'furo'
+html_title = f'yade-superquadric {release}'
+html_show_sphinx = False
+html_copy_source = False
+
+myst_heading_anchors = 4
+
+autodoc_member_order = 'bysource'
+autodoc_typehints = 'none'
+autodoc_mock_imports = ['getfem', 'pandas', 'scipy']  # their modules are described without running them
+html_math_renderer = 'mathml'
