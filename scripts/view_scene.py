@@ -12,7 +12,7 @@ import time
 
 import numpy
 from PIL import Image
-from yade import O, qt
+from yade import O
 from yade.superquadric import cylinderContainer, particleShape, rainFilling, randomOrientation
 from yade.superquadric import checkTimeStep, criticalTimeStep, setHeight, superquadricEngines
 from yade.superquadric.view import aim, frame, openView
@@ -51,9 +51,14 @@ def pour(each):
     side.wire, side.color = False, GREY
 
 
+def rendererOfView():
+    from yade import qt  # only where there is a display; --help needs none
+    return qt.Renderer()
+
+
 def savePicture(path, pixels):
     """The scene smooth and as wire, side by side; each is drawn twice as large as shown, so that edges are smooth."""
-    view, renderer = openView((2 * pixels, 2 * pixels)), qt.Renderer()
+    view, renderer = openView((2 * pixels, 2 * pixels)), rendererOfView()
     view.axes, view.scale, view.timeDisp = False, False, ''
     aim(view, (0, 0, CONTAINER[1] / 2), 1.35 * CONTAINER[0], elevation=22)
     panels = []
@@ -77,7 +82,7 @@ def scatter(name, number):
 
 def timeFrames(number):
     """Print the time of one frame [ms] for each kind of bodies, smooth and as wire: the median of rounds, and its ratio to YADE's own spheres."""
-    view, renderer = openView(), qt.Renderer()
+    view, renderer = openView(), rendererOfView()
     times = {(name, wire): [] for name in COLOURS for wire in (False, True)}
     for _ in range(ROUNDS):
         for name in COLOURS:

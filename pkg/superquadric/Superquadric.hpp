@@ -72,7 +72,7 @@ private:
 			"Closed convex surface of triangles, inscribed, whose largest distance from the surface is at most `error` [m]: (points, normals, triangles, error). "
 			"The first three are bytes, row after row: N x 3 float64 [m], N x 3 float64, M x 3 int32 (indices of points, counterclockwise from outside); the "
 			"last is the bound that holds [m]. ValueError for an error that is not positive, or too small for a million points. "
-			":yref:`yade.superquadric.tessellation` gives arrays.")
+			"The function `tessellation` of the package gives arrays.")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(Superquadric, Shape);

@@ -93,13 +93,27 @@ namespace {
 		}
 	}
 
+	// Directions that light falls on: the triangles' normals, weighted by their areas. Those of the surface itself, which already turn where a flat face
+	// ends, would shade the whole of it.
+	std::vector<Vector3r> shadingNormals(const superquadric::Tessellation& mesh)
+	{
+		std::vector<Vector3r> result(mesh.points.size(), Vector3r::Zero());
+		for (const auto& t : mesh.triangles) {
+			const Vector3r area = (mesh.points[t[1]] - mesh.points[t[0]]).cross(mesh.points[t[2]] - mesh.points[t[0]]);
+			for (const int corner : t)
+				result[corner] += area;
+		}
+		return result; // OpenGL makes unit vectors of them
+	}
+
 	Drawing drawingOf(const Look& look)
 	{
 		const auto [a, b, c, n1, n2] = look.shape;
 		const superquadric::Tessellation mesh = superquadric::tessellate(superquadric::Shape(Vector3r(a, b, c), n1, n2), std::ldexp(1.0, -look.detail));
+		const std::vector<Vector3r> normals = shadingNormals(mesh);
 		Drawing result;
 		for (std::size_t i = 0; i < mesh.points.size(); ++i)
-			for (const Vector3r& v : { mesh.normals[i], mesh.points[i] })
+			for (const Vector3r& v : { normals[i], mesh.points[i] })
 				result.points.insert(result.points.end(), { float(v.x()), float(v.y()), float(v.z()) });
 		look.wire ? addEdges(result, mesh) : addTriangles(result, mesh);
 		return result;
