@@ -156,7 +156,7 @@ def test_batchTable(tmp_path):
     table = tmp_path / 'some.table'
     table.write_text("description shape thickness containerDiameter impactorDiameter\n"
                      "flat 'sphere' 0.01 0.06 0.02\nhigh 'sphere' 0.02 0.06 0.02\n")
-    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py')]
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), '--noPictures']
     done = subprocess.run(command, cwd=tmp_path, env={**os.environ, 'YADE_BATCH': f'{table}:3'}, capture_output=True,
                           text=True, timeout=100)
     assert done.returncode == 0, done.stderr
