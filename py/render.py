@@ -48,7 +48,6 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
     :param start: the moment [s] from which the time counts; None: the first frame's
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
     """
-    from PIL import Image
     _checkPath(path, '.gif')
     frames, rate = list(frames), checks.positive('rate', rate)
     if not frames:
@@ -60,9 +59,17 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
         for frame in frames:
             figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
             pictures.append(_pixels(figure, DPI // 2))
-    palette = Image.fromarray(np.concatenate(pictures[::max(len(pictures) // 8, 1)])).quantize(128, dither=Image.Dither.NONE)
-    images = [Image.fromarray(picture).quantize(palette=palette, dither=Image.Dither.NONE) for picture in pictures]
+    images = [_withPalette(picture, style) for picture in pictures]
     images[0].save(path, save_all=True, append_images=images[1:], duration=int(1000 / rate), loop=0, optimize=True)
+
+
+def _withPalette(picture, style):
+    """The picture as PIL's, with a palette of its own of 256 colours, in which all of the bars of colours are."""
+    from PIL import Image
+    height, width = picture.shape[:2]
+    shares = np.linspace(0, 1, width)
+    ramps = [np.repeat(mappable.get_cmap()(shares, bytes=True)[None, :, :3], height // 8, axis=0) for mappable, _ in style.bars()]
+    return Image.fromarray(np.concatenate([picture, *ramps])).quantize(256, dither=Image.Dither.NONE).crop((0, 0, width, height))
 
 
 def _views(views):

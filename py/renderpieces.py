@@ -9,7 +9,7 @@ SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
 KINDS = np.array([(0.90, 0.62, 0.00), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.94, 0.89, 0.26), (0.00, 0.45, 0.70)])  # Okabe & Ito
 CONTAINER = (0.55, 0.62, 0.70)
 FINENESS = 0.4         # of a pixel: distance between a particle's surface and its triangles
-DETAILS = 0.004, 0.05  # the same over the largest half size, at least and at most
+DETAILS = 5e-4, 0.05   # the same over the largest half size, at least and at most
 FAINT, MIST = 0.05, (0.45, 0.50, 0.56)  # opacity and colour of plain particles around force chains
 GLASS = 0.18, 0.10     # opacity of the container, and around force chains
 TOP_SHARE = 0.995      # of all values lie below the end of a colour scale
@@ -84,7 +84,7 @@ def pieces(frame, style, eye, size):
     rows = _kept(frame.particles, plane)
     shown = frame.particles[rows]
     if style.colour is not None and len(shown):
-        surface = particleSurfaces(shown, _detail(shown, eye['height'] / size[1]))
+        surface = particleSurfaces(shown, _details(shown, eye['height'] / size[1]))
         result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colours=style.colours(frame)[rows][surface.owner],
                            opacity=FAINT if style.chains else 1.0))
     if style.chains:
@@ -110,9 +110,10 @@ def _kept(particles, plane):
     return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * np.median(sizes))
 
 
-def _detail(particles, pixel):
-    """`pixel`: what one shows [m]. Rounded, so that tessellations are made once for many frames."""
-    return float(np.clip(np.round(FINENESS * pixel / np.median(particles['extents'].max(axis=1)), 3), *DETAILS))
+def _details(particles, pixel):
+    """Of each particle, see `particleSurfaces`; `pixel`: what one shows [m]. In powers of two, so that few tessellations serve all."""
+    asked = FINENESS * pixel / particles['extents'].max(axis=1)
+    return np.clip(2.0 ** np.floor(np.log2(asked)), *DETAILS)
 
 
 def _chains(frame, style, plane):

@@ -9,7 +9,7 @@ from yade.wrapper import Superquadric
 from . import bodyarrays
 from .tessellation import tessellation
 
-DETAIL = 0.01    # default of the largest distance between a particle's surface and its triangles, over its largest half size
+DETAIL = 0.02    # default of the largest distance between a particle's surface and its triangles, over its largest half size
 CIRCLE = 96      # corners of a hollow cylinder's section
 MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box's diagonal
 
@@ -28,12 +28,13 @@ def _unit(n1, n2, detail):
 def particleSurfaces(particles, detail=DETAIL):
     """`Surface` of all `particles` (rows of PARTICLE): one tessellation for each pair of exponents, stretched, turned and moved.
 
-    :param detail: largest distance between the surface and the triangles, over the particle's largest half size
+    :param detail: largest distance between the surface and the triangles, over the particle's largest half size; for all, or (N,)
     """
     parts, first = [], 0
-    exponents, kinds = np.unique(particles['exponents'], axis=0, return_inverse=True)
-    for kind, (n1, n2) in enumerate(exponents):
-        unit, rows = _unit(float(n1), float(n2), detail), np.flatnonzero(kinds.ravel() == kind)
+    looks = np.column_stack([particles['exponents'], np.broadcast_to(detail, len(particles))])
+    different, kinds = np.unique(looks, axis=0, return_inverse=True)
+    for kind, look in enumerate(different):
+        unit, rows = _unit(*map(float, look)), np.flatnonzero(kinds.ravel() == kind)
         parts.append(_instances(unit, particles[rows], rows, first))
         first += len(rows) * len(unit.points)
     return _joined(parts)

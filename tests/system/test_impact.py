@@ -7,6 +7,7 @@ import sys
 import time
 
 import pytest
+from PIL import Image
 from yade import O
 from yade.wrapper import CurvatureMat
 
@@ -21,14 +22,16 @@ SMALL_OPTIONS = [text for name, value in SMALL.items() for text in ('--' + name,
 FILES = ['after.npz', 'bed.png', 'before.npz', 'chains.png', 'force.csv', 'force.png', 'impact.gif', 'summary.json']
 
 
-def run(output, **parameters):
-    return sq.ImpactRun.begin({**SMALL, **parameters}, str(output), stream=None).run()
+def run(output, pictures=False, **parameters):
+    job = sq.ImpactRun.begin({**SMALL, **parameters}, str(output), stream=None)
+    job.pictures = pictures
+    return job.run()
 
 
 @pytest.fixture(scope='module')
 def small(tmp_path_factory):
     output = tmp_path_factory.mktemp('small')
-    return output, run(output)
+    return output, run(output, pictures=True)
 
 
 def record(output):
@@ -41,6 +44,24 @@ def test_filesAreThere(small):
     assert sorted(os.listdir(output)) == FILES
     for name in ('bed.png', 'chains.png', 'force.png', 'impact.gif'):
         assert os.path.getsize(output / name) > 10000
+
+
+def test_animationOfTheImpact(small):
+    with Image.open(small[0] / 'impact.gif') as film:
+        assert 20 < film.n_frames <= 60 and os.path.getsize(small[0] / 'impact.gif') < 2e6
+
+
+def test_seriesForParaView(tmp_path):
+    """--vtk: frames at equal times from the start of the impact, at all of which the impactor is there."""
+    done = script(tmp_path, *SMALL_OPTIONS, '--particles', '20', '--noPictures', '--vtk')
+    assert done.communicate(timeout=200) and done.returncode == 0
+    series = sq.RecordedSeries(str(tmp_path / 'vtk'))
+    times = [moment.time for moment in series.moments]
+    steps = {round((later - earlier) / 1.5e-4, 1) for earlier, later in zip(times, times[1:])}
+    assert len(times) > 20 and steps == {1.0}
+    assert [len(frame.particles) for frame in series[:2]] == [21, 21]
+    assert series[0].speeds().max() == pytest.approx(surfaceSpeed(5, 0.3), rel=0.05)
+    assert sorted(name for name in os.listdir(tmp_path) if name in ('frames', 'vtk', 'bed.png')) == ['vtk']
 
 
 def test_bedIsAtRest(small):
@@ -135,7 +156,7 @@ def test_batchTable(tmp_path):
     table = tmp_path / 'some.table'
     table.write_text("description shape thickness containerDiameter impactorDiameter\n"
                      "flat 'sphere' 0.01 0.06 0.02\nhigh 'sphere' 0.02 0.06 0.02\n")
-    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py')]
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), '--noPictures']
     done = subprocess.run(command, cwd=tmp_path, env={**os.environ, 'YADE_BATCH': f'{table}:3'}, capture_output=True,
                           text=True, timeout=100)
     assert done.returncode == 0, done.stderr
@@ -163,11 +184,11 @@ def test_ctrlCLeavesACheckpointThatResumes(small, tmp_path):
     assert len(O.bodies) == 2 + small[1]['particle']['number']
     again = script(output, *SMALL_OPTIONS)  # --resume forgotten
     assert 'holds an interrupted run; use --resume' in again.communicate(timeout=30)[1] and again.returncode == 2
-    second = script(output, '--resume')
+    second = script(output, '--resume', '--noPictures')
     text, _ = second.communicate(timeout=100)
     assert second.returncode == 0 and 'peak P' in text
     assert (output / 'force.csv').read_bytes() == (small[0] / 'force.csv').read_bytes()
-    assert sorted(os.listdir(output)) == FILES
+    assert sorted(os.listdir(output)) == [name for name in FILES if not name.endswith(('png', 'gif'))]
 
 
 # Within a portion of steps, before its first and before its last; the steps count from the resumption before.
@@ -197,11 +218,13 @@ def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatc
     for part in ('bed', 'impact', 'P0', 'bufferingRatio', 'timeStep'):
         assert summary[part] == small[1][part]
     assert summary['solver']['solves'] == pytest.approx(small[1]['solver']['solves'], rel=0.01)  # those of all parts
+    films = [Image.open(folder / 'impact.gif') for folder in (tmp_path, small[0])]
+    assert films[0].n_frames == films[1].n_frames > 20, 'the frames from before the stops are there'
 
 
 def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
     output = tmp_path / 'short'
-    done = script(output, *SMALL_OPTIONS, '--particles', '20', '--maxImpactTime', '1e-4')
+    done = script(output, *SMALL_OPTIONS, '--noPictures', '--particles', '20', '--maxImpactTime', '1e-4')
     _, message = done.communicate(timeout=100)
     assert done.returncode == 2 and 'Traceback' not in message
     assert 'no blow reached the base' in message and 'maxImpactTime' in message
@@ -210,7 +233,10 @@ def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
     state = results.readJson(str(output / 'checkpoint.json'))
     state['parameters']['maxImpactTime'] = 0.05
     results.writeJson(str(output / 'checkpoint.json'), state)
-    summary = sq.ImpactRun.resume(str(output), stream=None).run()
+    assert not (output / 'chains.png').exists()
+    resumed = sq.ImpactRun.resume(str(output), stream=None)
+    resumed.pictures = False
+    summary = resumed.run()
     assert summary['impact']['over'] and summary['impact']['peak'] > 10 * summary['bed']['weight']
 
 
@@ -231,6 +257,8 @@ def test_newRunInAFolderRemovesTheOldResults(tmp_path):
     for name in FILES:
         (tmp_path / name).write_text('old')
     (tmp_path / 'mine.txt').write_text('mine')
+    for folder in ('vtk', 'frames'):
+        (tmp_path / folder).mkdir()
     sq.ImpactRun.begin({**SMALL, 'particles': 3}, str(tmp_path), stream=None)
     assert os.listdir(tmp_path) == ['mine.txt']
 

@@ -7,10 +7,16 @@ from yade import O
 from yade.wrapper import InteractionLoop
 
 import yade.superquadric as sq
-from yade.superquadric import report, results
+from yade.superquadric import renderer, report, results
 from yade.superquadric.engines import engine
 
 SMALL = {'containerDiameter': 0.07, 'thickness': 0.012, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
+
+
+@pytest.fixture(autouse=True)
+def noPicturesOfParticles(monkeypatch):
+    """They take longer than these impacts."""
+    monkeypatch.setattr(renderer, 'missing', lambda: 'not wanted here')
 
 
 @pytest.fixture(scope='module')
