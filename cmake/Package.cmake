@@ -29,15 +29,24 @@ foreach(script postinst prerm)
   configure_file(${packageFiles}/${script}.in ${PROJECT_BINARY_DIR}/package/${script} @ONLY
     FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 endforeach()
+
+set(CPACK_PACKAGE_CONTACT "The yade-superquadric authors <noreply@example.org>")
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+string(TIMESTAMP packageDate "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(${packageFiles}/changelog.Debian.in ${PROJECT_BINARY_DIR}/package/changelog.Debian @ONLY)
 install(FILES ${packageFiles}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(CODE "execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md
-  OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/changelog.gz\" COMMAND_ERROR_IS_FATAL ANY)")
+# install_compressed(<file> <name>): into the folder for documentation, in the way that Debian asks for.
+function(install_compressed file name)
+  install(CODE "execute_process(COMMAND gzip -9nc ${file}
+    OUTPUT_FILE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DOCDIR}/${name}.gz\" COMMAND_ERROR_IS_FATAL ANY)")
+endfunction()
+install_compressed(${PROJECT_SOURCE_DIR}/CHANGELOG.md changelog)
+install_compressed(${PROJECT_BINARY_DIR}/package/changelog.Debian changelog.Debian)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_SET_DESTDIR ON) # YADE's places are absolute
 set(CPACK_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
-set(CPACK_PACKAGE_CONTACT "The yade-superquadric authors <noreply@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "superquadric particles for the discrete element code YADE")
 file(READ ${packageFiles}/description CPACK_DEBIAN_PACKAGE_DESCRIPTION)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
@@ -48,7 +57,7 @@ set(requiredPython python3-matplotlib python3-numpy python3-yaml)
 list(JOIN hosts ", " hosts)
 list(JOIN requiredPython ", " pythonDepends)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "${hosts}, python3:any, ${pythonDepends}")
-suggestions(CPACK_DEBIAN_PACKAGE_SUGGESTS study fem)
+suggestions(CPACK_DEBIAN_PACKAGE_SUGGESTS study fem view)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/package/postinst ${PROJECT_BINARY_DIR}/package/prerm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

@@ -53,7 +53,9 @@ add_library(yade_host INTERFACE)
 yade_macros(yadeMacros ${YADE_features})
 target_compile_definitions(yade_host INTERFACE ${yadeMacros})
 target_include_directories(yade_host SYSTEM INTERFACE ${YADE_SOURCE})
-target_compile_options(yade_host INTERFACE -ftrack-macro-expansion=0 -ffile-prefix-map=${YADE_SOURCE}/=yade/)
+# The compiler may call a system header by its real path.
+file(REAL_PATH ${YADE_SOURCE} realSource)
+target_compile_options(yade_host INTERFACE -ftrack-macro-expansion=0 -ffile-prefix-map=${YADE_SOURCE}/=yade/ -ffile-prefix-map=${realSource}/=yade/)
 target_link_options(yade_host INTERFACE -Wl,--as-needed)
 target_link_libraries(yade_host INTERFACE ${yadeLibraries} Eigen3::Eigen Boost::serialization Boost::iostreams
   Boost::log Boost::thread Boost::${boostPython} Python3::Module OpenMP::OpenMP_CXX Threads::Threads)

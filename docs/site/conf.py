@@ -24,5 +24,5 @@ myst_heading_anchors = 4
 
 autodoc_member_order = 'bysource'
 autodoc_typehints = 'none'
-autodoc_mock_imports = ['getfem', 'pandas', 'scipy']  # their modules are described without running them
+autodoc_mock_imports = ['getfem', 'pandas', 'pyvista', 'scipy', 'vtkmodules']  # their modules are described without running them
 html_math_renderer = 'mathml'

@@ -72,7 +72,8 @@ def method(name, doc):
 def described(name):
     """The class as lines of reStructuredText."""
     cls = getattr(wrapper, name)
-    lines = [name, '^' * len(name), '', f'.. py:class:: {name}', '', f'   A :yref:`{cls.__bases__[0].__name__}`.', '', *indented(rest(cls.__doc__), 1)]
+    lines = [name, '^' * len(name), '', f'.. py:class:: {name}', '', f'   A :yref:`{cls.__bases__[0].__name__}`.', '']
+    lines += indented(rest(cls.__doc__), 1)
     members = {key: value for key, value in sorted(vars(cls).items()) if not key.startswith('_') and value.__doc__}
     for key, value in members.items():
         if isinstance(value, property):

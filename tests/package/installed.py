@@ -1,8 +1,6 @@
 """In a Debian with the package: YADE has the plugin, Python the modules, both where YADE keeps its own."""
 import os
-import sys
 
-import yade
 from yade import config, superquadric as sq
 from yade.superquadric.materials import elastoplasticMat
 
@@ -19,4 +17,4 @@ while O.bodies[grain].state.vel[2] <= 0:  # until it comes up again
     O.step()
     assert O.time < 0.1, 'the cube fell through the floor'
 assert elastoplasticMat('steel-4340').yieldStress > 0  # a file that came with the package
-print(f'yade {config.version}, yade-superquadric {sq.__version__}: installed in {os.path.dirname(sq.__file__)}, python {sys.version.split()[0]}, {yade.__file__}')
+print(f'yade {config.version}, yade-superquadric {sq.__version__}: installed in {os.path.dirname(sq.__file__)}')

@@ -7,7 +7,7 @@ import re
 from collections import namedtuple
 
 Block = namedtuple('Block', 'line kind text skipped')
-Block.__doc__ = """A fenced block: the line in the page on which it begins, the words behind the fence, its text, and the reason why it is not run, or None.
+Block.__doc__ = """A fenced block: the line in the page on which it begins, the words behind the fence, its text, and why it is not run, or None.
 
 The reason stands in a comment just above the fence: `<!-- not run: REASON -->`."""
 
