@@ -13,6 +13,11 @@ share the particles among them, each a domain of space. With one process everyth
 Bodies near a border are known on both sides, and their contacts are computed on both, with the same history; a contact goes with its body when
 the body changes its rank. O.energy of a rank holds half of such a contact, so that sums over ranks count it once. See docs/scaling.md.
 """
+import atexit
+import sys
+import traceback
+from functools import cache
+
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import BreakageEngine, InsertionSortCollider, PyRunner, VibratingBoxEngine
@@ -23,10 +28,26 @@ from .engines import engine
 WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
 
 
+@cache
 def _mpy():
     # Not at the top: importing it starts MPI.
     from yade import mpy
+    atexit.register(_leave, mpy.comm)
     return mpy
+
+
+def _leave(comm):
+    """A rank that ends while others want to go on (after an error) takes them along: they would wait for it for ever."""
+    if any(comm.allgather(False)):
+        comm.Abort(1)
+
+
+def _meet():
+    """All ranks are about to go on, or have left."""
+    comm = _mpy().comm
+    if not all(comm.allgather(True)):
+        print(f'rank {rank()}: another rank has ended, so this one does', file=sys.stderr, flush=True)
+        comm.Abort(1)
 
 
 def rank():
@@ -53,16 +74,28 @@ def run(steps, rebalanceEvery=0):
         O.energy.clear()
         if ranks() > 1:
             distribute()
-    if ranks() > 1:
-        mpy.mpirun(steps)
-    else:
+    if ranks() == 1:
         O.run(steps, wait=True)
+        return
+    _meet()
+    _orAbort(mpy.mpirun, steps)
 
 
 def merge():
     """Bring all bodies and contacts back to rank 0, where the scene can be saved, drawn or measured; to be called by all ranks."""
     if ranks() > 1:
-        _mpy().mergeScene()
+        _meet()
+        _orAbort(_mpy().mergeScene)
+
+
+def _orAbort(do, *arguments):
+    # An error of one rank would leave the others in the middle of their messages.
+    try:
+        do(*arguments)
+    except Exception:
+        traceback.print_exc()
+        sys.stderr.flush()
+        _mpy().comm.Abort(1)
 
 
 def distribute():

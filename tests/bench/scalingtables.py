@@ -15,7 +15,9 @@ QUANTITIES = {"momentum": slice(2, 5), "force": slice(5, 8), "energy": slice(8, 
 
 def report(result):
     """All tables as one text."""
-    return "\n\n".join((machineLine(result), sizeTable(result), memoryTable(result), rankTable(result), agreementTable(result))) + "\n"
+    parts = [part(result) for part in (machineLine, sizeTable, memoryTable, rankTable) if "scenes" in result]
+    parts += [agreementTable(result)] if "agreement" in result else []
+    return "\n\n".join(parts) + "\n"
 
 
 def scenes(result):
@@ -92,19 +94,20 @@ def _read(path):
 
 def agreementTable(result):
     rows = []
-    for each in result["agreement"]:
+    for each in result["agreement"]["runs"]:
         half = len(each["times"]) // 2
         rows.append(("at rest" if each["speed"] == 0 else f"hit at {each['speed']} m/s", each["ranks"],
                      *(f"{max(each[name][part]):.0e}" for name in QUANTITIES for part in (slice(half), slice(half, None)))))
-    return table("Largest difference from one process, over the largest value of the run; first and second half of the steps",
+    return table(f"{result['agreement']['count']} cubes: largest difference from one process over the largest value of the run, in the first and second half of the steps",
                  ("bed", "processes", *(f"{name}, {half}" for name in QUANTITIES for half in ("first", "second"))), rows)
 
 
 def draw(result, path):
     figure, (times, memory, agreement) = pyplot.subplots(1, 3, figsize=(14, 4), layout="constrained")
-    drawSizes(times, memory, scenes(result))
+    if "scenes" in result:
+        drawSizes(times, memory, scenes(result))
     styles = {0: "-", 3: "--"}
-    for each in result["agreement"]:
+    for each in result.get("agreement", {"runs": ()})["runs"]:
         label = f"{'at rest' if each['speed'] == 0 else 'hit'}, {each['ranks']} processes"
         agreement.semilogy(1e3 * np.array(each["times"]), np.maximum(each["force"], 1e-17), styles[each["speed"]], linewidth=0.8, label=label)
     agreement.set(xlabel="time [ms]", ylabel="difference of the base force / its largest value")
