@@ -2,8 +2,8 @@
 import math
 from pathlib import Path
 
-# Of a bed of cubes with 2.4 contacts and 9 candidate pairs each: docs/scaling.md; deeper beds have half as many contacts again.
-BYTES_A_PARTICLE = 8000
+# Of 10^5 cubes with 2.3 contacts and 9.5 candidate pairs each it was 9,600 (docs/scaling.md); deeper beds have a little more of both.
+BYTES_A_PARTICLE = 11000
 MEMORY = Path('/proc/meminfo')
 GROUP = Path('/sys/fs/cgroup')  # limits of a container, or of a job on a cluster
 

@@ -1,4 +1,4 @@
-"""Scenes on several processes against the same scene on one (parallelscene.py): totals at ten moments, and what the contacts remember at the end.
+"""Scenes on several processes, or threads, against the same scene on one (parallelscene.py): totals at ten moments, and what the contacts remember at the end.
 
 Sums over the ranks add up in another order, and the solver starts elsewhere at a border: both are rounding, which grows in a bed. After these 600
 steps it is below 1e-8 of the largest value; a contact that is missed, forgotten or counted twice shows at 1e-3 and above.
@@ -17,22 +17,22 @@ ROUNDING = 1e-8
 ENVIRONMENT = {**os.environ, 'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_btl': 'self,sm'}
 
 
-def launch(ranks, *arguments):
+def launch(ranks, threads, *arguments):
     launcher = [] if ranks == 1 else ['mpirun', '--oversubscribe', '-np', str(ranks)]
-    return subprocess.run([*launcher, 'yade', '-n', '-x', '-j1', *map(str, arguments)], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
+    return subprocess.run([*launcher, 'yade', '-n', '-x', f'-j{threads}', *map(str, arguments)], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
                           capture_output=True, text=True, timeout=120)
 
 
 @pytest.fixture(scope='module')
 def outcome(tmp_path_factory):
-    """outcome(scene, ranks, division): what rank 0 wrote; each is run once."""
+    """outcome(scene, ranks, division, threads=1): what rank 0 wrote; each is run once."""
     done = {}
 
-    def run(*which):
+    def run(scene, ranks, division, threads=1):
+        which = scene, ranks, division, threads
         if which not in done:
-            scene, ranks, division = which
             output = tmp_path_factory.mktemp('mpi') / 'outcome.json'
-            process = launch(ranks, SCENE, scene, division, STEPS, output)
+            process = launch(ranks, threads, SCENE, scene, division, STEPS, output)
             assert process.returncode == 0, process.stdout + process.stderr
             done[which] = json.loads(output.read_text())
         return done[which]
@@ -66,6 +66,12 @@ def test_ranksAgreeWithOneProcess(outcome, scene, ranks, division):
     assert several['contacts'] == pytest.approx(one['contacts'], rel=1e-6)
 
 
+@pytest.mark.parametrize('ranks', [1, 3])
+def test_twoThreadsAgreeWithOne(outcome, ranks):
+    one, two = outcome('bed', ranks, 'domains'), outcome('bed', ranks, 'domains', 2)
+    assertSameTotals(two['rows'], one['rows'], sorted(one['rows'][-1]['energy']))
+
+
 def test_metalsHaveYielded(outcome):
     assert outcome('yielding', 1, 'domains')['contacts']['plasticDissipation'] > 0
 
@@ -84,6 +90,6 @@ def test_bodiesChangeTheirRank(outcome):
 
 
 def test_anErrorOnRank0EndsTheRun(tmp_path):
-    process = launch(3, SCENE, 'clump', 'domains', STEPS, tmp_path / 'outcome.json')
+    process = launch(3, 1, SCENE, 'clump', 'domains', STEPS, tmp_path / 'outcome.json')
     assert process.returncode != 0
     assert 'O.bodies: clumps cannot be cut into domains' in process.stdout + process.stderr
