@@ -81,11 +81,20 @@ def run(steps, rebalanceEvery=0):
     _orAbort(mpy.mpirun, steps)
 
 
-def merge():
-    """Bring all bodies and contacts back to rank 0, where the scene can be saved, drawn or measured; to be called by all ranks."""
-    if ranks() > 1:
-        _meet()
-        _orAbort(_mpy().mergeScene)
+def merge(forGood=False):
+    """Bring all bodies and contacts back to rank 0, where they can be drawn or measured; to be called by all ranks.
+
+    :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`; no `run` on several ranks can follow
+    """
+    if ranks() == 1:
+        return
+    _meet()
+    _orAbort(_mpy().mergeScene)
+    if forGood and rank() == 0:
+        for body in list(O.bodies):
+            if body.isSubdomain:
+                O.bodies.erase(body.id)
+            body.subdomain = 0
 
 
 def _orAbort(do, *arguments):
@@ -164,7 +173,9 @@ class Totals:
         mine = rank()
         states = [body.state for body in O.bodies if body.subdomain == mine and not body.isSubdomain and body.dynamic]
         momentum = sum((state.mass * state.vel for state in states), Vector3.Zero)
-        parts = _mpy().comm.gather((len(states), tuple(momentum), dict(O.energy.items())), root=0)
+        parts = [(len(states), tuple(momentum), dict(O.energy.items()))]
+        if O.splitted:
+            parts = _mpy().comm.gather(parts[0], root=0)
         if mine:
             return
         numbers, momenta, energies = zip(*parts)

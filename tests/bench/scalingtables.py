@@ -98,7 +98,7 @@ def agreementTable(result):
         half = len(each["times"]) // 2
         rows.append(("at rest" if each["speed"] == 0 else f"hit at {each['speed']} m/s", each["ranks"],
                      *(f"{max(each[name][part]):.0e}" for name in QUANTITIES for part in (slice(half), slice(half, None)))))
-    return table(f"{result['agreement']['count']} cubes: largest difference from one process over the largest value of the run, in the first and second half of the steps",
+    return table(f"{result['agreement']['count']} cubes: difference from one process over the largest value of the run, by halves of the steps",
                  ("bed", "processes", *(f"{name}, {half}" for name in QUANTITIES for half in ("first", "second"))), rows)
 
 

@@ -90,7 +90,10 @@ totals = parallel.Totals(supports, every=int(steps) // 10)
 parallel.run(int(steps), rebalanceEvery=1 if division == 'scattered' else 0)
 mine = sorted(body.id for body in O.bodies if body.subdomain == parallel.rank() and body.dynamic and not body.isSubdomain)
 held = parallel._mpy().comm.gather(mine, root=0)
-parallel.merge()
+parallel.merge(forGood=True)
 if parallel.rank() == 0:
+    remembered = contacts()
+    O.run(50, wait=True)  # rank 0 goes on alone
+    totals.record()
     with open(output, 'w') as out:
-        json.dump({'rows': totals.rows, 'contacts': contacts(), 'held': held}, out)
+        json.dump({'rows': totals.rows, 'contacts': remembered, 'held': held}, out)
