@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo study study-quick test bench bench-quick docs deb deb-test build shell clean
+.PHONY: help demo study study-quick test bench bench-quick bench-scaling docs deb deb-test build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -10,6 +10,7 @@ help:
 	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (12 minutes on 2 cores)'
 	@echo 'make test    all tests; the last line counts them'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
+	@echo 'make bench-scaling   10^3 to 10^5 bodies on threads and processes: time, memory, agreement (30 minutes), see docs/scaling.md'
 	@echo 'make docs    the documentation as a site: results/docs/index.html'
 	@echo 'make deb     a package for exactly the YADE of this Debian: results/deb'
 	@echo 'make deb-test   that package in a clean Debian: installed, a small demo run, removed (5 minutes)'
@@ -39,6 +40,9 @@ bench:
 
 bench-quick:
 	@tools/env --with bench --target kernel_bench tests/bench/run --quick
+
+bench-scaling:
+	@tools/env --with bench tests/bench/scaling
 
 docs:
 	@tools/env --with docs docs/site/build

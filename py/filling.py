@@ -6,7 +6,7 @@ from yade import O
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import Sphere, Superquadric
 
-from . import checks, container as containers
+from . import checks, container as containers, memory
 
 GAP, SIDEWAYS = 0.08, 2.0  # of rainFilling, by default
 DEEP_FRACTION = 0.622  # packing fraction of poured beds of many layers, with the thickness as seen from above, ...
@@ -76,6 +76,7 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=DEEP
     seed, speed = checks.wholeNumber('seed', seed, 0), checks.notNegative('speed', speed)
     gap, sideways = checks.notNegative('gap', gap), checks.notNegative('sideways', sideways)
     checkCapacity(shapes, container, checks.above('solidFraction', solidFraction, 0, DENSEST))
+    memory.check(len(shapes))
     rng = random.Random(seed)
     radius = max(shape.boundingRadius for shape in set(shapes))
     containers.checkFits(container, radius)

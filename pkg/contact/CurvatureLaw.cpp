@@ -6,6 +6,17 @@
 
 namespace yade {
 
+namespace {
+	// Bodies of rank 0 (walls) are met by the other body's process only.
+	Real shareOf(const Body& one, const Body& two)
+	{
+#ifdef YADE_MPI
+		if (one.subdomain != two.subdomain && one.subdomain > 0 && two.subdomain > 0) return 0.5;
+#endif
+		return 1;
+	}
+}
+
 bool CurvatureLaw::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Interaction* interaction)
 {
 	auto& geom = static_cast<ScGeom&>(*iGeom);
@@ -26,19 +37,22 @@ bool CurvatureLaw::go(shared_ptr<IGeom>& iGeom, shared_ptr<IPhys>& iPhys, Intera
 		shiftVelocity = scene->cell->intrShiftVel(interaction->cellDist);
 	}
 	const MovingBody body1(one, *scene), body2(two, *scene, shift, shiftVelocity);
-	ContactLoad now;
-	if (ours)
-		now = load(*ours, phys, body1, body2);
-	else {
-		const auto side1 = Meeting::flatOrSphere(one), side2 = Meeting::flatOrSphere(two);
-		geom.contactPoint = Meeting::middleOfOverlap(geom, side1, body1.position, side2, body2.position);
-		now = respondToPressure(phys, Meeting(body1, body2, side1, side2, geom));
-	}
+	Meeting bodies = ours ? Meeting(body1, body2, *ours) : spheresMeeting(one, two, body1, body2, geom);
+	bodies.share = shareOf(one, two);
+	const ContactLoad now = respondToPressure(phys, bodies);
 	scene->forces.addForce(id1, -now.force);
 	scene->forces.addForce(id2, now.force);
 	scene->forces.addTorque(id1, now.torque1);
 	scene->forces.addTorque(id2, now.torque2);
 	return true;
+}
+
+// Under YADE's geometry.
+Meeting CurvatureLaw::spheresMeeting(const Body& one, const Body& two, const MovingBody& body1, const MovingBody& body2, ScGeom& geom)
+{
+	const auto side1 = Meeting::flatOrSphere(one), side2 = Meeting::flatOrSphere(two);
+	geom.contactPoint = Meeting::middleOfOverlap(geom, side1, body1.position, side2, body2.position);
+	return Meeting(body1, body2, side1, side2, geom);
 }
 
 ContactLoad CurvatureLaw::load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2)

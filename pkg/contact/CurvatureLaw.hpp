@@ -34,6 +34,7 @@ protected:
 	void checkOverlapLimit(Real& overlapLimit);
 
 private:
+	static Meeting spheresMeeting(const Body& one, const Body& two, const MovingBody& body1, const MovingBody& body2, ScGeom& geom);
 	// `respond` to the overlap beyond the one at rest.
 	ContactLoad respondToPressure(CurvaturePhys& phys, Meeting bodies);
 

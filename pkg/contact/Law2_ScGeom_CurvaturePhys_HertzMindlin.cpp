@@ -53,7 +53,7 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, cons
 void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz)
 {
 	energies.find(*scene);
-	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, value); };
+	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, bodies.share * value); };
 	const ScGeom& geom = bodies.geom;
 	const Real halfStep = scene->dt / 2, overlap = bodies.overlap;
 	const auto& tangential = now.tangential;

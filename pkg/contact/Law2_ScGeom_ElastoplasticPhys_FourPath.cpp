@@ -84,7 +84,7 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(const ElastoplasticPhys& phys, c
 void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now)
 {
 	energies.find(*scene);
-	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, value); };
+	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, bodies.share * value); };
 	const Real halfStep = scene->dt / 2;
 	book(Elastic, now.normal.elastic + now.tangential.elastic.spring.energy() + now.rolling.elastic.spring.energy());
 	book(Plastic, now.normal.history.dissipated - before.plasticDissipation);

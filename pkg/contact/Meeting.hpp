@@ -25,6 +25,8 @@ struct Meeting {
 	Real approach; // speed at which the overlap grows [m/s]
 	Vector3r velocity, sliding; // of body 2 relative to body 1 at the contact, all of it and its tangential part [m/s]
 	Vector3r spin; // the same, angular [rad/s]
+	// What this process books of the contact's energy: half where another process computes the same contact, across a border of MPI's domains.
+	Real share = 1;
 
 	// Under our geometry.
 	Meeting(const MovingBody& body1, const MovingBody& body2, const SuperquadricGeom& geom);

@@ -14,6 +14,8 @@ namespace {
 		return true;
 #endif
 	}
+
+	bool isOf(const boost::weak_ptr<Shape>& known, const shared_ptr<Shape>& shape) { return !known.owner_before(shape) && !shape.owner_before(known); }
 }
 
 bool BodyTable::update(const Scene& scene, int threads)
@@ -43,12 +45,12 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 {
 	Row& row = rows[id];
 	const bool takesPart = body && !body->isClump() && isOfThisRank(*body, scene);
-	const Shape* shape = takesPart ? body->shape.get() : nullptr;
-	bool changed = shape != row.shape.get();
+	const shared_ptr<Shape> none, &shape = takesPart ? body->shape : none;
+	bool changed = !isOf(row.shape, shape);
 	if (changed) {
-		row.shape = shape ? body->shape : shared_ptr<Shape>();
-		row.ours = dynamic_cast<const Superquadric*>(shape);
-		row.sphere = dynamic_cast<const Sphere*>(shape);
+		row.shape = shape;
+		row.ours = dynamic_cast<const Superquadric*>(shape.get());
+		row.sphere = dynamic_cast<const Sphere*>(shape.get());
 		row.placement.reset();
 		row.motion.reset();
 	}

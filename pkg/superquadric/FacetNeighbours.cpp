@@ -77,19 +77,31 @@ MeshFacet meshFacet(const Facet& facet, const State& state, Body::id_t id)
 
 void FacetNeighbours::find(const Scene& scene, bool again)
 {
-	const size_t bodies = scene.bodies->size();
-	if (!again && searchedScene.load(std::memory_order_acquire) == &scene && searchedBodies.load(std::memory_order_acquire) == bodies) return;
+	if (!again && isUpToDate(scene)) return;
 	const std::lock_guard<std::mutex> lock(searching);
-	if (!again && searchedScene == &scene && searchedBodies == bodies) return;
-	search(scene);
+	if (!again && isUpToDate(scene)) return;
+	const std::vector<MeshFacet> facets = facetsOf(scene);
+	if (again || searchedScene != &scene || searchedBodies != scene.bodies->size() || !areTheSame(facets)) search(facets);
 	searchedScene.store(&scene, std::memory_order_release);
-	searchedBodies.store(bodies, std::memory_order_release);
+	searchedBodies.store(scene.bodies->size(), std::memory_order_release);
+	searchedAt.store(scene.iter, std::memory_order_release);
 }
 
-void FacetNeighbours::search(const Scene& scene)
+bool FacetNeighbours::isUpToDate(const Scene& scene) const
+{
+	return searchedScene.load(std::memory_order_acquire) == &scene && searchedBodies.load(std::memory_order_acquire) == scene.bodies->size()
+	        && (!scene.bodies->useRedirection || searchedAt.load(std::memory_order_acquire) == scene.iter);
+}
+
+bool FacetNeighbours::areTheSame(const std::vector<MeshFacet>& facets) const
+{
+	return facets.size() == neighbours.size()
+	        && std::all_of(facets.begin(), facets.end(), [&](const MeshFacet& facet) { return neighbours.count(facet.id) > 0; });
+}
+
+void FacetNeighbours::search(const std::vector<MeshFacet>& facets)
 {
 	neighbours.clear();
-	const std::vector<MeshFacet> facets = facetsOf(scene);
 	Real shortest = std::numeric_limits<Real>::infinity();
 	for (const MeshFacet& facet : facets)
 		shortest = std::min(shortest, shortestEdge(facet));

@@ -8,6 +8,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
+from yade.superquadric import memory
 from yade.superquadric.pouring import nextCount
 
 MATERIAL = dict(young=1e7, poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1,
@@ -145,3 +146,14 @@ def test_bestPourIsRepeatedWhenNoNumberIsLeft():
     assert nextCount(six, 0.01, 0.03) == 80
     assert nextCount(six + turns[:1], 0.01, 0.03) is None
     assert nextCount(pours((80, 0.0096), (84, 0.0105)), 0.01, 0.03) == 80 == round(84 * 0.01 / 0.0105)
+
+
+def test_moreThanTheMemoryHoldsIsRefused(material, monkeypatch):
+    assert memory.available() > 1e6
+    monkeypatch.setattr(memory, 'available', lambda: 200 * memory.BYTES_A_PARTICLE)
+    container = sq.cylinderContainer(0.05, 0.3, material)
+    before = len(O.bodies)
+    with pytest.raises(ValueError, match='number of particles = 201: .* are available'):
+        sq.rainFilling([sq.particleShape('cube', 2e-3)] * 201, container, material, seed=1)
+    assert len(O.bodies) == before
+    assert len(sq.rainFilling([sq.particleShape('cube', 2e-3)] * 200, container, material, seed=1)[0]) == 200

@@ -1,12 +1,13 @@
 """SuperquadricInteractionLoop against YADE's own loop: the same contacts, whatever happens to the bodies between two steps."""
 import pytest
-from yade import O
+from yade import O, utils
 from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
-from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, Sphere, SuperquadricInteractionLoop
+from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, PyRunner, Sphere, SuperquadricInteractionLoop
 
 HALF_SIZE = 0.01
 LOOPS = [InteractionLoop, SuperquadricInteractionLoop]
+ERASE_TWO = 'for body in list(O.bodies)[:2]: O.bodies.erase(body.id)'
 
 
 def pair(distance, loop=SuperquadricInteractionLoop):
@@ -123,3 +124,19 @@ def testSpheresMeetAtTheSameStepInBothLoops():
             O.step()
         begun.append(O.iter)
     assert begun[0] == begun[1] and 999 <= begun[0] <= 1003
+
+
+@pytest.mark.parametrize('ours', [True, False], ids=['superquadrics', 'spheres'])
+def testBodiesMadeInPythonMayBeErasedWhileTheSceneRuns(ours):
+    # Where the loop let go of such a shape last, in a thread without Python's lock, the whole process would end.
+    O.reset()
+    material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
+    for i in range(64):
+        place = 1.99 * HALF_SIZE * Vector3(i % 4, i // 4 % 4, i // 16)
+        body = sq.superquadric(place, (HALF_SIZE,) * 3, 4, 4, material=material) if ours else utils.sphere(place, HALF_SIZE, material=material)
+        O.bodies.append(body)
+    O.engines = [*sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.2 * HALF_SIZE), PyRunner(command=ERASE_TWO, iterPeriod=1)]
+    O.dt = 1e-7
+    O.run(25, True)
+    assert len(list(O.bodies)) == 64 - 2 * 24  # the runner passes the first step
+    assert O.interactions.countReal() > 0

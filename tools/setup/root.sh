@@ -118,8 +118,9 @@ root_command() {
   for entry in resolv.conf hosts passwd group; do
     [ ! -e "/etc/$entry" ] || enter+=(--ro-bind "$(realpath "/etc/$entry")" "/etc/$entry")
   done
-  # As root, keep root's access to files of other users (a project folder mounted into a container).
-  [ "$(id -u)" -ne 0 ] || enter+=(--cap-add CAP_DAC_OVERRIDE)
+  # As root, keep root's access to files of other users (a project folder mounted into a container), and let mpirun start.
+  [ "$(id -u)" -ne 0 ] ||
+    enter+=(--cap-add CAP_DAC_OVERRIDE --setenv OMPI_ALLOW_RUN_AS_ROOT 1 --setenv OMPI_ALLOW_RUN_AS_ROOT_CONFIRM 1)
   # The root has no other locale, and unknown ones make Boost and Qt give up.
   enter+=(--setenv LC_ALL C.UTF-8 --unsetenv LANGUAGE --)
 }

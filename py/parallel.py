@@ -1,0 +1,184 @@
+"""A scene on several processes (MPI): YADE's `mpy` with what superquadrics need, and totals over all ranks.
+
+    # scene.py, started by: tools/env mpirun -np 3 yade -n -x -j1 scene.py
+    from yade.superquadric import parallel
+    if parallel.rank() == 0:
+        ...                                    # bodies, O.engines, O.dt as for one process
+    totals = parallel.Totals(supports=[base], every=100)
+    parallel.run(10000)                        # by all ranks; rank 0 then has totals.rows
+
+Every rank runs the script. Rank 0 builds the scene, keeps what cannot move (walls, meshes, containers) and gets the whole force on it; the others
+share the particles among them, each a domain of space. With one process everything runs as usual, and the totals mean the same.
+
+Bodies near a border are known on both sides, and their contacts are computed on both, with the same history; a contact goes with its body when
+the body changes its rank. O.energy of a rank holds half of such a contact, so that sums over ranks count it once. See docs/scaling.md.
+"""
+import atexit
+import sys
+import traceback
+from functools import cache
+
+from yade import O
+from yade.minieigenHP import Vector3
+from yade.wrapper import BreakageEngine, InsertionSortCollider, PyRunner, VibratingBoxEngine
+
+from . import checks
+from .engines import engine
+
+WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
+
+
+@cache
+def _mpy():
+    # Not at the top: importing it starts MPI.
+    from yade import mpy
+    atexit.register(_leave, mpy.comm)
+    return mpy
+
+
+def _leave(comm):
+    """A rank that ends while others want to go on (after an error) takes them along: they would wait for it for ever."""
+    if any(comm.allgather(False)):
+        comm.Abort(1)
+
+
+def _meet():
+    """All ranks are about to go on, or have left."""
+    comm = _mpy().comm
+    if not all(comm.allgather(True)):
+        print(f'rank {rank()}: another rank has ended, so this one does', file=sys.stderr, flush=True)
+        comm.Abort(1)
+
+
+def rank():
+    """Number of this process, from 0."""
+    return _mpy().rank
+
+
+def ranks():
+    """Number of processes; 1 without mpirun."""
+    return _mpy().numThreads
+
+
+def run(steps, rebalanceEvery=0):
+    """Do `steps` steps on all ranks; to be called by all of them. The first time it cuts the scene of rank 0 into domains, and O.energy starts
+    from zero.
+
+    :param rebalanceEvery: bodies change to the rank whose domain they have moved into at every so many runs of the collider; 0: never.
+        mpy's median filter, which also evens out the numbers of bodies
+    :raises ValueError: the scene cannot be cut (rank 0 only; the other ranks then end with mpirun)
+    """
+    steps, mpy = checks.wholeNumber('steps', steps, 1), _mpy()
+    mpy.REALLOCATE_FREQUENCY = checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
+    if rank() == 0 and not O.splittedOnce:
+        O.energy.clear()
+        if ranks() > 1:
+            distribute()
+    if ranks() == 1:
+        O.run(steps, wait=True)
+        return
+    _meet()
+    _orAbort(mpy.mpirun, steps)
+
+
+def merge(forGood=False):
+    """Bring all bodies and contacts back to rank 0, where they can be drawn or measured; to be called by all ranks.
+
+    :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`; no `run` on several ranks can follow
+    """
+    if ranks() == 1:
+        return
+    _meet()
+    _orAbort(_mpy().mergeScene)
+    if forGood and rank() == 0:
+        for body in list(O.bodies):
+            if body.isSubdomain:
+                O.bodies.erase(body.id)
+            body.subdomain = 0
+
+
+def _orAbort(do, *arguments):
+    # An error of one rank would leave the others in the middle of their messages.
+    try:
+        do(*arguments)
+    except Exception:
+        traceback.print_exc()
+        sys.stderr.flush()
+        _mpy().comm.Abort(1)
+
+
+def distribute():
+    """Give every body of the scene its rank: what cannot move 0, the others domains of equal numbers, by recursive bisection along the longest
+    side of the box around their centres.
+
+    :raises ValueError: an engine that needs the whole scene, a periodic cell, clumps, or fewer particles than domains
+    """
+    moving = [body for body in O.bodies if body.dynamic]
+    _checkScene(moving, ranks() - 1)
+    for body in O.bodies:
+        body.subdomain = 0
+        if body.mat is not None and body.mat.id < 0:
+            O.materials.append(body.mat)  # mpy finds them there when bodies come back
+    _bisect([(tuple(body.state.pos), body.id) for body in moving], range(1, ranks()))
+    engine(InsertionSortCollider).label = 'collider'  # mpy knows it by this name
+    O.engines = O.engines
+
+
+def _checkScene(moving, domains):
+    for each in O.engines:
+        if isinstance(each, WHOLE_SCENE):
+            raise ValueError(f'engine = {type(each).__name__}: it needs the whole scene in one process')
+    if O.periodic:
+        raise ValueError('O.periodic = True: periodic scenes cannot be cut into domains')
+    if any(body.isClump for body in O.bodies):
+        raise ValueError('O.bodies: clumps cannot be cut into domains')
+    if len(moving) < domains:
+        raise ValueError(f'ranks = {domains + 1}: more domains than the {len(moving)} particles')
+
+
+def _bisect(places, domains):
+    """Give the bodies of `places`, (position, id) each, the subdomains in the range `domains`, in equal shares."""
+    if len(domains) == 1:
+        for _, number in places:
+            O.bodies[number].subdomain = domains[0]
+        return
+    spans = [max(column) - min(column) for column in zip(*(position for position, _ in places))]
+    axis, half = spans.index(max(spans)), len(domains) // 2
+    places = sorted(places, key=lambda place: (place[0][axis], place[1]))
+    cut = len(places) * half // len(domains)
+    _bisect(places[:cut], domains[:half])
+    _bisect(places[cut:], domains[half:])
+
+
+class Totals:
+    """Sums over all ranks, taken at the end of every `every`-th step; to be made by all ranks before `run`.
+
+    :param supports: ids of fixed bodies whose forces are added up
+    :ivar rows: on rank 0 a dict for each record: `time` [s], `momentum` (3) [kg m/s] of all particles, `force` (3) [N] on the supports in this step,
+        `bodies` that moved, and with O.trackEnergy `energy`, the entries of O.energy [J] since the scene was cut; on other ranks empty
+    """
+
+    _all = []  # by the number that the scene's PyRunner has
+
+    def __init__(self, supports=(), every=1):
+        self.supports, self.rows = list(supports), []
+        every = checks.wholeNumber('every', every, 1)
+        Totals._all.append(self)
+        if rank() == 0:
+            place = f"sys.modules['{__name__}'].Totals._all[{len(Totals._all) - 1}]"
+            O.engines = O.engines + [PyRunner(command=f'{place}.record()', iterPeriod=every, firstIterRun=O.iter + every - 1)]
+
+    def record(self):
+        """Called on all ranks in the same step."""
+        mine = rank()
+        states = [body.state for body in O.bodies if body.subdomain == mine and not body.isSubdomain and body.dynamic]
+        momentum = sum((state.mass * state.vel for state in states), Vector3.Zero)
+        parts = [(len(states), tuple(momentum), dict(O.energy.items()))]
+        if O.splitted:
+            parts = _mpy().comm.gather(parts[0], root=0)
+        if mine:
+            return
+        numbers, momenta, energies = zip(*parts)
+        force = sum((O.forces.f(support) for support in self.supports), Vector3.Zero)
+        self.rows.append({'time': O.time + O.dt, 'bodies': sum(numbers), 'momentum': tuple(map(sum, zip(*momenta))), 'force': tuple(force),
+                          'energy': {name: sum(energy.get(name, 0) for energy in energies) for name in set().union(*energies)}})
