@@ -60,7 +60,7 @@ class OedometerRun(StagedRun):
         :param parameters: where they belong to the bed, they must be its own
         :raises ValueError: there is no bed, a damaged one, or another one
         """
-        state = finishedbed.read(bed, bedPart, oedometerreport.BEFORE)
+        state = finishedbed.read(bed, bedPart)
         parameters = checked({**state['parameters'], **parameters})
         finishedbed.requireSame(bed, bedPart(parameters), bedPart(state['parameters']))
         if os.path.realpath(output) == os.path.realpath(bed):

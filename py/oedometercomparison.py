@@ -5,7 +5,6 @@ import sys
 from . import checkpoint, finishedbed, oedometercase, oedometerplots, results
 from .oedometer import OedometerRun
 from .oedometerparameters import MODES, bedPart, checked
-from .oedometerreport import BEFORE
 
 BED = 'bed'  # folder of the bed, in that of the comparison
 PICTURES = ('grading.png', 'stress.png', 'contacts.png')
@@ -59,7 +58,7 @@ def draw(output, modes):
 def _bedIsThere(folder, parameters):
     if not os.path.exists(os.path.join(folder, finishedbed.STATE)):
         return False
-    state = finishedbed.read(folder, bedPart, BEFORE)
+    state = finishedbed.read(folder, bedPart)
     finishedbed.requireSame(folder, bedPart(parameters), bedPart(state['parameters']))
     return True
 

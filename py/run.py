@@ -141,6 +141,7 @@ class ImpactRun:
         self._count()
         self.state['stepsLeft'] = self.stepper.left
         if self.recorder is not None:
+            self.state['rows'] = self.recorder.rows
             self._writeRecord()
         checkpoint.save(self.output, self.state)
 
@@ -266,9 +267,7 @@ class ImpactRun:
     def _openRecord(self):
         """Make the recorder, with what an interrupted run has recorded."""
         if self.recorder is None:
-            rows = results.readCsv(self.path(report.RECORD))[1] if self.state.get('recorded') else ()
-            self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
-            self.state['recorded'] = True
+            self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], self.state.pop('rows', ()))
 
     def _writeRecord(self):
         results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
