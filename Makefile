@@ -40,7 +40,7 @@ fuzz:
 
 sanitize: export SANITIZE = address,undefined
 sanitize:
-	@tools/env --with study --with fem --target all tests/sanitize
+	@tools/env --with study --with fem --target unit_tests --target oracle_tests tests/sanitize
 
 tidy:
 	@tools/env --with tidy --target all tests/tidy

@@ -13,9 +13,9 @@ def shown(value):
 
 
 def finite(name, value):
-    """`value` as a finite float of at most LARGEST; True and False are no numbers."""
+    """`value` as a finite float of at most LARGEST; True, False and arrays are no numbers, texts of numbers are."""
     try:
-        if type(value).__name__ in ('bool', 'bool_') or getattr(value, 'shape', ()):
+        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or getattr(value, 'shape', ()):
             raise TypeError
         number = float(value)
     except OverflowError:

@@ -52,7 +52,7 @@ def load(folder):
         raise ValueError(f'folder = {folder!r}: there is no finished test in it ({SUMMARY})')
     try:
         return _read(folder)
-    except (KeyError, FileNotFoundError) as error:
+    except (KeyError, ValueError, FileNotFoundError) as error:
         raise ValueError(f'folder = {folder!r}: the test in it is damaged ({type(error).__name__}: {error})') from None
 
 

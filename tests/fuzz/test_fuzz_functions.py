@@ -9,7 +9,7 @@ from yade.wrapper import CurvatureMat, ElastoplasticMat
 import yade.superquadric as sq
 from yade.superquadric import restitution, settling
 
-from fuzzing import anything, exponent, fuzz, number, ratio, refused, size, unlike, vector
+from fuzzing import anything, exponent, fuzz, number, ratio, refused, size, vector
 
 SEVERAL = st.integers(0, 255)  # bits: which arguments are replaced by good ones
 
@@ -56,8 +56,9 @@ def test_containers(radius, height, largest, box):
 
 @fuzz(material=anything)
 def test_containersOfAnyMaterial(material):
+    """YADE looks the material up, by number or label, and says in its own way that there is none."""
     scene()
-    unchanged(lambda: sq.cylinderContainer(0.1, 0.1, material), also=(IndexError, KeyError, RuntimeError))
+    unchanged(lambda: sq.cylinderContainer(0.1, 0.1, material), also=(IndexError, KeyError, OverflowError, RuntimeError))
 
 
 @fuzz(weight=2, gravity=vector, verletDist=anything, damping=anything, law=st.one_of(st.sampled_from(('curvature', 'elastoplastic')), anything), keep=SEVERAL)
@@ -117,15 +118,13 @@ def test_impactors(values, keep, obstacles):
 
 
 @fuzz(weight=0.5, name=st.sampled_from(('diameter', 'density', 'speed', 'dropHeight', 'gravity', 'baseYoung')),
-      value=st.one_of(unlike, st.sampled_from((math.nan, math.inf, -1.0, -0.0, 0.1, 1e60))))
+      value=st.sampled_from((math.nan, math.inf, -math.inf, -1.0, 1e60, 10 ** 400, 'x', [], {}, True, 1j, b'1')))
 def test_bareImpacts(name, value):
-    """Of other numbers it is right that some take for ever: an impact of a grain of dust has as many time steps."""
+    """Values that are refused only: an impact of a grain of dust takes as many time steps as it has to."""
     material, _ = scene()
     O.engines = sq.superquadricEngines()
     given = {**{key: IMPACT[key] for key in ('diameter', 'density', 'speed', 'dropHeight', 'gravity')}, 'baseYoung': None, name: value}
-    answer, no = unchanged(lambda: sq.bareImpact(material=material, **given), name, 'height', 'forces')
-    if not no:
-        assert 0 < answer.pulse.peak < math.inf
+    assert unchanged(lambda: sq.bareImpact(material=material, **given), name, 'height')[1]
 
 
 @fuzz(weight=2, times=st.lists(number, max_size=8), forces=st.lists(number, max_size=8), static=number)
@@ -196,6 +195,8 @@ def test_steppersAndOrientations(steps, seed):
     scene()
     O.engines = sq.superquadricEngines()
     O.dt = 1e-9
-    small = steps if not isinstance(steps, (int, float)) or abs(steps) < 50 or steps != steps else 3
-    refused(lambda: sq.Stepper(stream=None).run(small), 'steps')
+    few = steps if not isinstance(steps, (int, float)) or not 50 < steps < 1e60 else 3
+    before = O.iter
+    _, no = refused(lambda: sq.Stepper(stream=None).run(few), 'steps')
+    assert O.iter - before == (0 if no else int(float(few)))
     assert abs(sq.randomOrientation(random.Random(seed)).norm() - 1) < 1e-14
