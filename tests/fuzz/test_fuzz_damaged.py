@@ -60,7 +60,7 @@ def damaged(content, kind, *how):
         return content[:at] + new + content[at + len(new):]
     if kind == 'zeros':
         return content[:at] + bytes(len(content) - at)
-    return {'whole': lambda: how[0], 'append': lambda: content + how[0], 'twice': lambda: 2 * content, 'huge': lambda: 200000 * how[0]}[kind]()
+    return {'whole': lambda: how[0], 'append': lambda: content + how[0], 'twice': lambda: 2 * content, 'huge': lambda: 20000 * how[0]}[kind]()
 
 
 def copyWith(folder, target, name, how):
