@@ -43,7 +43,7 @@ sanitize:
 	@tools/env --with study --with fem --target unit_tests --target oracle_tests tests/sanitize
 
 tidy:
-	@tools/env --with tidy --target all tests/tidy
+	@tools/env --with tidy tests/tidy
 
 bench:
 	@tools/env --with bench --target kernel_bench tests/bench/run
