@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo study study-quick test bench bench-quick bench-scaling docs deb deb-test build shell clean
+.PHONY: help demo study study-quick test fuzz sanitize tidy bench bench-quick bench-scaling docs deb deb-test build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -9,6 +9,8 @@ help:
 	@echo 'make study   the 44 beds of the paper, several of each, with confidence intervals: results/study (hours; goes on where it was stopped)'
 	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (12 minutes on 2 cores)'
 	@echo 'make test    all tests; the last line counts them'
+	@echo 'make fuzz    many more examples of the fuzz tests: FUZZ_EXAMPLES=2000 for each (20 minutes)'
+	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour; make tidy: clang-tidy (see docs/testing.md)'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
 	@echo 'make bench-scaling   10^3 to 10^5 bodies on threads and processes: time, memory, agreement (30 minutes), see docs/scaling.md'
 	@echo 'make docs    the documentation as a site: results/docs/index.html'
@@ -34,6 +36,18 @@ study-quick:
 test:
 	@tools/env --with study --with fem --with view --target all true || { echo '0 passed, 1 failed'; exit 1; }
 	@tools/env --with study --with fem --with view tests/run
+
+fuzz: export FUZZ_EXAMPLES ?= 2000
+fuzz: export TEST_TIME_LIMIT = 86400
+fuzz:
+	@tools/env --with study --with fem tests/run tests/fuzz
+
+sanitize: export SANITIZE = address,undefined
+sanitize:
+	@tools/env --with study --with fem --target unit_tests --target oracle_tests tests/sanitize
+
+tidy:
+	@tools/env --with tidy tests/tidy
 
 bench:
 	@tools/env --with bench --target kernel_bench tests/bench/run

@@ -3,7 +3,7 @@ import os
 
 from yade import O
 
-from . import results
+from . import sealed
 
 SCENE, STATE = 'checkpoint.yade.gz', 'checkpoint.json'
 
@@ -17,19 +17,18 @@ def save(folder, state):
     """Write the scene and the `state` (a dict for JSON). Whoever is killed in the middle leaves none, never two halves that do not fit."""
     remove(folder)
     O.save(os.path.join(folder, SCENE))
-    results.flush(os.path.join(folder, SCENE))
-    results.writeJson(os.path.join(folder, STATE), state)
+    sealed.write(os.path.join(folder, STATE), state, (SCENE,))
 
 
 def load(folder):
     """Load the scene; returns the state.
 
-    :raises ValueError: there is no checkpoint, or a damaged one
+    :raises ValueError: there is no checkpoint, or a damaged one; YADE's present scene is then as it was
     """
     if not (exists(folder) and os.path.exists(os.path.join(folder, SCENE))):
         raise ValueError(f'output = {folder!r}: there is no checkpoint of an interrupted run to resume')
     try:
-        state = results.readJson(os.path.join(folder, STATE))
+        state = sealed.read(os.path.join(folder, STATE))
         O.load(os.path.join(folder, SCENE))
     except (ValueError, RuntimeError) as error:
         raise ValueError(f'output = {folder!r}: its checkpoint is damaged ({error}); remove {STATE} to begin anew') from None

@@ -1,28 +1,39 @@
 """Checks of what a user hands over: every function returns the accepted value or raises a ValueError that names
 the parameter and the value. They are called before anything is changed."""
 import math
+from collections.abc import Mapping, Set
+from numbers import Number
+
+LARGEST = 1e30  # no quantity of a bed in SI units comes near it, nor near its inverse, and products of ten such do not overflow
+
+
+def shown(value):
+    """`value` for a message; Python writes out no whole number of thousands of digits."""
+    return 'a whole number of thousands of digits' if isinstance(value, int) and abs(value) >= 10 ** 4000 else repr(value)
 
 
 def finite(name, value):
-    """`value` as a finite float; True and False are no numbers."""
+    """`value` as a finite float of at most LARGEST; True, False and arrays are no numbers, texts of numbers are."""
     try:
-        if isinstance(value, bool):
+        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or getattr(value, 'shape', ()):
             raise TypeError
         number = float(value)
     except OverflowError:
         number = math.inf
     except (TypeError, ValueError):
-        raise ValueError(f'{name} = {value!r}: must be a number') from None
+        raise ValueError(f'{name} = {shown(value)}: must be a number') from None
     if not math.isfinite(number):
-        raise ValueError(f'{name} = {value!r}: must be finite')
+        raise ValueError(f'{name} = {shown(value)}: must be finite')
+    if abs(number) > LARGEST:
+        raise ValueError(f'{name} = {shown(value)}: must not be above {LARGEST:g} in size')
     return number
 
 
 def positive(name, value):
-    """`value` as a float above 0."""
+    """`value` as a float above 0, of at least 1/LARGEST."""
     number = finite(name, value)
-    if number <= 0:
-        raise ValueError(f'{name} = {value!r}: must be positive')
+    if number < 1 / LARGEST:
+        raise ValueError(f'{name} = {value!r}: must be positive' + (f', at least {1 / LARGEST:g}' if number > 0 else ''))
     return number
 
 
@@ -55,7 +66,7 @@ def wholeNumber(name, value, least):
     number = finite(name, value)
     if number != int(number) or number < least:
         raise ValueError(f'{name} = {value!r}: must be a whole number of at least {least}')
-    return int(number)
+    return value if type(value) is int else int(number)  # a float has not all digits of a large one
 
 
 def boolean(name, value):
@@ -70,7 +81,7 @@ def boolean(name, value):
 
 def oneOf(name, value, choices):
     """`value` if it is among `choices`."""
-    if value not in choices:
+    if not isinstance(value, (str, Number)) or value not in choices:
         raise ValueError(f'{name} = {value!r}: must be one of {", ".join(map(str, choices))}')
     return value
 
@@ -78,7 +89,7 @@ def oneOf(name, value, choices):
 def vector(name, value, check=finite):
     """Three numbers as a tuple of floats, each accepted by `check`."""
     try:
-        numbers = tuple(value)
+        numbers = () if isinstance(value, (str, bytes, Set, Mapping)) else tuple(value)
     except TypeError:
         numbers = ()
     if len(numbers) != 3:

@@ -32,10 +32,10 @@ def cylinderContainer(radius, height, material, largestParticle=0.0):
     :returns: `Container`
     :raises ValueError: before anything is added
     """
-    checkCylinder(radius, height, largestParticle)
+    radius, height = checkCylinder(radius, height, largestParticle)
     base = O.bodies.append(_base(material))
     side = O.bodies.append(_cylinder(radius, height, material))
-    return Container(base, (side,), float(radius), None, None, float(height))
+    return Container(base, (side,), radius, None, None, height)
 
 
 def boxContainer(width, depth, height, material, largestParticle=0.0):
@@ -44,12 +44,12 @@ def boxContainer(width, depth, height, material, largestParticle=0.0):
     :param width, depth, height: inner sizes along x, y, z [m]; the walls are planes, without an upper rim
     :param material, largestParticle: as in `cylinderContainer`
     """
-    checkBox(width, depth, height, largestParticle)
+    width, depth, height = checkBox(width, depth, height, largestParticle)
     base = O.bodies.append(_base(material))
     sides = [O.bodies.append(utils.wall(Vector3(*(sign * size / 2 if i == axis else 0 for i in range(3))), axis,
                                         sense=-sign, material=material))
              for axis, size in ((0, width), (1, depth)) for sign in (-1, 1)]
-    return Container(base, tuple(sides), None, float(width), float(depth), float(height))
+    return Container(base, tuple(sides), None, width, depth, height)
 
 
 def checkFits(container, largestParticle):
@@ -61,30 +61,37 @@ def checkFits(container, largestParticle):
 
 
 def checkBox(width, depth, height, largestParticle):
-    """ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the box."""
-    for name, size in (('width', width), ('depth', depth), ('height', height)):
-        if checks.positive(f'container {name}', size) < 2 * largestParticle:
+    """The sizes as floats; ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the box."""
+    sizes = tuple(checks.positive(f'container {name}', size) for name, size in (('width', width), ('depth', depth), ('height', height)))
+    largestParticle = checks.notNegative('largestParticle', largestParticle)
+    for name, size in zip(('width', 'depth', 'height'), sizes):
+        if size < 2 * largestParticle:
             raise ValueError(f'container {name} = {size!r}: the container is smaller than a particle '
                              f'(bounding diameter {2 * largestParticle:g} m)')
+    return sizes
 
 
 def checkCylinder(radius, height, largestParticle):
-    """ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the cylinder."""
-    if checks.positive('container radius', radius) < largestParticle:
+    """Radius and height as floats; ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the cylinder."""
+    radius, height = checks.positive('container radius', radius), checks.positive('container height', height)
+    largestParticle = checks.notNegative('largestParticle', largestParticle)
+    if radius < largestParticle:
         raise ValueError(f'container radius = {radius!r}: the container is smaller than a particle '
                          f'(bounding radius {largestParticle:g} m)')
-    if checks.positive('container height', height) < 2 * largestParticle:
+    if height < 2 * largestParticle:
         raise ValueError(f'container height = {height!r}: the container is smaller than a particle '
                          f'(bounding diameter {2 * largestParticle:g} m)')
+    return radius, height
 
 
 def setHeight(container, height):
     """Give a cylinder another height [m] with its base where it is (a box has no rim, nothing is to do)."""
+    height = checks.positive('height', height)
     if container.radius is not None:
         side = O.bodies[container.sideIds[0]]
         side.shape.height = height
         side.state.pos = side.state.refPos = Vector3(0, 0, height / 2)
-    return container._replace(height=float(height))
+    return container._replace(height=height)
 
 
 def _base(material):

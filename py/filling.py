@@ -7,6 +7,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import Sphere, Superquadric
 
 from . import checks, container as containers, memory
+from .bodies import ParticleShape
 
 GAP, SIDEWAYS = 0.08, 2.0  # of rainFilling, by default
 DEEP_FRACTION = 0.622  # packing fraction of poured beds of many layers, with the thickness as seen from above, ...
@@ -73,6 +74,9 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=DEEP
     shapes = list(shapes)
     if not shapes:
         raise ValueError('shapes = []: at least one particle is needed')
+    for shape in shapes:
+        if not isinstance(shape, ParticleShape):
+            raise ValueError(f'shapes: {shape!r} is no ParticleShape; particleShape() makes them')
     seed, speed = checks.wholeNumber('seed', seed, 0), checks.notNegative('speed', speed)
     gap, sideways = checks.notNegative('gap', gap), checks.notNegative('sideways', sideways)
     checkCapacity(shapes, container, checks.above('solidFraction', solidFraction, 0, DENSEST))

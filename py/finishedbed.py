@@ -4,7 +4,7 @@ import os
 
 from yade import O
 
-from . import results
+from . import sealed
 
 SCENE, STATE, BEFORE = 'bed.yade.gz', 'bed.json', 'before.npz'
 
@@ -12,27 +12,24 @@ SCENE, STATE, BEFORE = 'bed.yade.gz', 'bed.json', 'before.npz'
 def save(folder, state):
     """Write the scene, then the `state`; the file with the particles must be there already."""
     O.save(os.path.join(folder, SCENE))
-    results.flush(os.path.join(folder, SCENE))
-    results.flush(os.path.join(folder, BEFORE))
-    results.writeJson(os.path.join(folder, STATE), state)
+    sealed.write(os.path.join(folder, STATE), state, (SCENE, BEFORE))
 
 
 def read(folder, part):
-    """The state of the finished bed in the `folder`.
+    """The state of the finished bed in the `folder`; all its files are complete then.
 
     :param part: function that picks the bed's own from a complete dict of parameters
     :raises ValueError: there is no bed, a damaged one, or one of a version with other parameters
     """
     if not os.path.exists(os.path.join(folder, STATE)):
         raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({STATE})')
-    missing = [name for name in (SCENE, BEFORE) if not os.path.exists(os.path.join(folder, name))]
-    if missing:
-        raise ValueError(f'bed = {folder!r}: {missing[0]} is missing')
     try:
-        state = results.readJson(os.path.join(folder, STATE))
+        state = sealed.read(os.path.join(folder, STATE))
         part(state['parameters'])
-    except (ValueError, TypeError, KeyError) as error:
-        raise ValueError(f'bed = {folder!r}: {STATE} is damaged, or of another version ({type(error).__name__}: {error})') from None
+    except ValueError as error:
+        raise ValueError(f'bed = {folder!r}: {error}') from None
+    except (KeyError, TypeError) as error:
+        raise ValueError(f'bed = {folder!r}: {STATE} is of another version ({type(error).__name__}: {error})') from None
     return state
 
 

@@ -33,7 +33,7 @@ BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the 
 
 def surfaceSpeed(speed, height, gravity=9.81):
     """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it; `gravity` [m/s2]."""
-    return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), gravity)
+    return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), checks.positive('gravity', gravity))
 
 
 def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81, place=(0.0, 0.0)):
@@ -121,10 +121,16 @@ class Recorder:
 def pulse(times, forces, staticForce):
     """Measure the pulse in a record of `forces` [N] at `times` [s]; `staticForce` [N] is taken off first.
 
-    :raises ValueError: an empty record, or one in which no blow reached the base
+    :raises ValueError: an empty record, one that is no record, or one in which no blow reached the base
     """
     if not times:
         raise ValueError('times = []: nothing was recorded')
+    if len(times) != len(forces):
+        raise ValueError(f'forces: {len(forces)} of them, but {len(times)} times')
+    if not all(map(math.isfinite, (*times, *forces, staticForce))):
+        raise ValueError('times, forces, staticForce: must be finite')
+    if any(later < time for time, later in zip(times, times[1:])):
+        raise ValueError('times: must not fall')
     extra = [force - staticForce for force in forces]
     top = max(range(len(extra)), key=extra.__getitem__)
     if extra[top] <= BLOW_THRESHOLD * abs(staticForce):

@@ -22,9 +22,10 @@ def shipped():
 
 def materialAt(name, value):
     """`value` if it is the name of a shipped material, else the absolute path of the material file that it is; ValueError if it is neither."""
-    if value in shipped():
+    isName = isinstance(value, (str, os.PathLike)) and '\0' not in os.fspath(value)
+    if isName and value in shipped():
         return value
-    if not isinstance(value, (str, os.PathLike)) or not os.path.isfile(value):
+    if not isName or not os.path.isfile(value):
         raise ValueError(f'{name} = {value!r}: must be a material file, or one of {", ".join(shipped())}')
     return os.path.abspath(value)
 
@@ -49,6 +50,9 @@ def elastoplasticMat(material, **others):
     :param others: further attributes, such as frictionAngle, or ones that replace those of the dict
     :raises ValueError: no such file, a key that is missing or unknown, or a value that the material refuses
     """
+    for name, value in others.items():
+        if name not in ElastoplasticMat().dict():
+            raise ValueError(f'{name} = {value!r}: an ElastoplasticMat has no such attribute')
     known = material if isinstance(material, Mapping) else properties(material)
     hardening = known.get('hardening', {})
     if not isinstance(hardening, Mapping):

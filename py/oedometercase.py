@@ -47,10 +47,17 @@ def relativeGrading(particles, before):
 def load(folder):
     """The `Case` in a folder.
 
-    :raises ValueError: there is none
+    :raises ValueError: there is none, or a damaged one
     """
     if not os.path.exists(os.path.join(folder, SUMMARY)):
         raise ValueError(f'folder = {folder!r}: there is no finished test in it ({SUMMARY})')
+    try:
+        return _read(folder)
+    except (KeyError, ValueError, FileNotFoundError) as error:
+        raise ValueError(f'folder = {folder!r}: the test in it is damaged ({type(error).__name__}: {error})') from None
+
+
+def _read(folder):
     particles = columns(os.path.join(folder, PARTICLES))
     before = Snapshot.load(os.path.join(folder, BEFORE))
     return Case(results.readJson(os.path.join(folder, SUMMARY)), columns(os.path.join(folder, STRESS)), Grading(sizesOf(before)),

@@ -26,11 +26,20 @@ def writeCsv(path, columns, rows):
 
 
 def readCsv(path):
-    """Columns and rows of floats, as `writeCsv` wrote them."""
-    with open(path, newline='', encoding='utf-8') as file:
-        reader = csv.reader(file)
-        columns = tuple(next(reader))
-        return columns, [tuple(map(float, row)) for row in reader]
+    """Columns and rows of floats, as `writeCsv` wrote them.
+
+    :raises ValueError: naming the file, which holds something else
+    """
+    try:
+        with open(path, newline='', encoding='utf-8') as file:
+            reader = csv.reader(file)
+            columns = tuple(next(reader, ()))
+            rows = [tuple(map(float, row)) for row in reader]
+    except (ValueError, csv.Error) as error:
+        raise ValueError(f'{path}: damaged ({error})') from None
+    if not columns or any(len(row) != len(columns) for row in rows):
+        raise ValueError(f'{path}: damaged (it is empty, or a row is not as long as the first one)')
+    return columns, rows
 
 
 def writeJson(path, content):
@@ -40,8 +49,15 @@ def writeJson(path, content):
 
 
 def readJson(path):
-    with open(path, encoding='utf-8') as file:
-        return json.load(file)
+    """What the JSON file holds.
+
+    :raises ValueError: naming the file, which is no JSON
+    """
+    try:
+        with open(path, encoding='utf-8') as file:
+            return json.load(file)
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f'{path}: damaged ({error})') from None
 
 
 def flush(path):

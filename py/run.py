@@ -67,6 +67,7 @@ class ImpactRun(BedRun):
     def save(self):
         """Write the checkpoint, and the record as far as there is one."""
         if self.recorder is not None:
+            self.state['rows'] = self.recorder.rows
             self._writeRecord()
         super().save()
 
@@ -190,9 +191,7 @@ class ImpactRun(BedRun):
     def _openRecord(self):
         """Make the recorder, with what an interrupted run has recorded."""
         if self.recorder is None:
-            rows = results.readCsv(self.path(report.RECORD))[1] if self.state.get('recorded') else ()
-            self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], rows)
-            self.state['recorded'] = True
+            self.recorder = Recorder(self.container, self.state['impactor'], self.state['startTime'], self.state.pop('rows', ()))
         self.film = impactpictures.film(self)
 
     def _writeRecord(self):

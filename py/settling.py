@@ -41,6 +41,8 @@ class RestCriterion:
 
     def __init__(self, ids, supports, quiet=QUIET, support=SUPPORT, memory=None):
         self.ids, self.supports = list(ids), list(supports)
+        if not self.ids:
+            raise ValueError('ids = []: at least one particle is needed')
         self.quiet, self.support = checks.positive('quiet', quiet), checks.positive('support', support)
         self.gravity = abs(engine(NewtonIntegrator).gravity[2])
         masses = [O.bodies[i].state.mass for i in self.ids]

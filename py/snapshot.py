@@ -1,8 +1,15 @@
 """Where all particles are, as arrays: what the measures and the pictures work on, independent of the scene."""
+import zipfile
+import zlib
+
 import numpy as np
 
 from yade import O
 from yade.wrapper import Sphere, Superquadric
+
+SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
+# What numpy raises where a file is not what it wrote.
+DAMAGE = (ValueError, TypeError, KeyError, EOFError, AttributeError, MemoryError, NotImplementedError, SyntaxError, zipfile.BadZipFile, zlib.error)
 
 
 class Snapshot:
@@ -12,7 +19,7 @@ class Snapshot:
     :ivar extents: half sizes [m], (N, 3); :ivar exponents: (n1, n2), (N, 2)
     """
 
-    ARRAYS = ('ids', 'positions', 'rotations', 'extents', 'exponents')
+    ARRAYS = tuple(SHAPES)
 
     def __init__(self, **arrays):
         for name in self.ARRAYS:
@@ -37,8 +44,18 @@ class Snapshot:
 
     @classmethod
     def load(cls, path):
-        with np.load(path) as stored:
-            return cls(**{name: stored[name] for name in cls.ARRAYS})
+        """The snapshot in the file that `save` wrote.
+
+        :raises ValueError: naming the file, which holds something else
+        """
+        try:
+            with open(path, 'rb') as file, np.load(file) as stored:
+                result = cls(**{name: stored[name] for name in cls.ARRAYS})
+        except DAMAGE as error:
+            raise ValueError(f'{path}: damaged ({type(error).__name__}: {error})') from None
+        if any(getattr(result, name).shape != (len(result.ids), *rest) for name, rest in SHAPES.items()):
+            raise ValueError(f'{path}: damaged (its arrays do not have the shapes of a snapshot)')
+        return result
 
 
 def gauge(points, extents, exponents):

@@ -5,6 +5,8 @@ import time
 
 from yade import O
 
+from . import checks
+
 
 class Interrupted(Exception):
     """Ctrl-C (or SIGTERM) came; the scene stands between two steps and can be saved."""
@@ -53,8 +55,10 @@ class Stepper:
     def run(self, steps, afterStep=None):
         """Do a portion of `steps` steps; `afterStep()` is called after each, forces are then still those of the step.
 
+        :raises ValueError: `steps` is no whole number
         :raises Interrupted: the user wants to stop; at least one step is left then, which brings the forces back
         """
+        steps = checks.wholeNumber('steps', steps, 0)
         self.left = steps if self.left is None else self.left
         while self.left:
             if self._stop:

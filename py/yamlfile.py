@@ -15,7 +15,7 @@ def read(name, path):
             return yaml.load(file, _Loader)
     except (OSError, UnicodeDecodeError) as error:
         raise ValueError(f'{name} = {str(path)!r}: cannot be read ({getattr(error, "strerror", None) or error})') from None
-    except yaml.YAMLError as error:
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise ValueError(f'{name} = {str(path)!r}: {" ".join(str(error).split())}') from None
 
 

@@ -13,7 +13,7 @@ import signal
 import subprocess
 import sys
 
-from yade.superquadric import results
+from yade.superquadric import results, sealed
 from yade.superquadric.study import plan as plans, studyfile, table
 
 SNAKEFILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'study', 'Snakefile')
@@ -91,10 +91,10 @@ def removeDamaged(plan, folder):
         path = os.path.join(folder, 'beds', bed, 'bed.json')
         try:
             if os.path.exists(path):
-                results.readJson(path)['parameters']
-        except (ValueError, KeyError, TypeError):
+                sealed.read(path)
+        except ValueError as error:
             os.remove(path)
-            yield f'{path}: damaged; the bed is made again'
+            yield f'{os.path.dirname(path)}: {error}; the bed is made again'
     for run in table.finishedRuns(plan, folder):
         try:
             table.readSummary(plan, folder, run)

@@ -45,7 +45,7 @@ namespace {
 
 		__attribute__((noinline)) void solveCold()
 		{
-			if (problem_.between().isZero(0)) return engulfed(problem_.centre1());
+			if (problem_.concentric()) return engulfed(problem_.centre1());
 			if (apartBySpheres() || apartByBoxes()) return;
 			++counters_.coldStarts;
 			if (newton(problem_.balancedStart())) return;
@@ -256,7 +256,7 @@ namespace {
 		void engulfed(const Vector3& x)
 		{
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();
-			const bool concentric = problem_.between().isZero(0);
+			const bool concentric = problem_.concentric();
 			PairPoint point = problem_.at(x);
 			point.axis = concentric ? Vector3(body1.rotation.col(0)) : Vector3(problem_.between().stableNormalized());
 			describe(point, 2 * body1.shape.boundingRadius(), 2 * body2.shape.boundingRadius());

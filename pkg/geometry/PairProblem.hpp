@@ -65,6 +65,7 @@ public:
 	const Placement& body1() const { return body1_; }
 	const Placement& body2() const { return body2_; }
 	const Vector3& between() const { return between_; } // centre 2 minus centre 1 [m]
+	bool concentric() const { return between_.cwiseAbs().maxCoeff() <= tolerances::concentric * smallest_; }
 	// The two centres seen from the origin [m].
 	const Vector3& centre1() const { return centre1_; }
 	const Vector3& centre2() const { return centre2_; }

@@ -14,20 +14,17 @@ namespace superquadric {
 
 namespace {
 
-	void requirePositive(const char* name, double value)
+	double requireWithin(double low, double high, const char* name, double value)
 	{
-		if (std::isfinite(value) && value > 0) return;
+		if (value >= low && value <= high) return value;
 		std::ostringstream message;
-		message << name << " must be finite and positive, got " << value;
+		message << name << " must lie within [" << low << ", " << high << "], got " << value;
 		throw std::invalid_argument(message.str());
 	}
 
 	double requireExponent(const char* name, double value)
 	{
-		if (value >= tolerances::smallestExponent && value <= tolerances::largestExponent) return value;
-		std::ostringstream message;
-		message << name << " must lie within [" << tolerances::smallestExponent << ", " << tolerances::largestExponent << "], got " << value;
-		throw std::invalid_argument(message.str());
+		return requireWithin(tolerances::smallestExponent, tolerances::largestExponent, name, value);
 	}
 
 	// (p^m + q^m)^(1/m) for p, q >= 0; the maximum when m is infinite.
@@ -86,7 +83,7 @@ Shape::Shape(const Vector3& halfSizes, double n1, double n2)
 {
 	const char* names[] = { "extents[0]", "extents[1]", "extents[2]" };
 	for (int axis = 0; axis < 3; ++axis)
-		requirePositive(names[axis], halfSizes[axis]);
+		requireWithin(tolerances::smallestHalfSize, tolerances::largestHalfSize, names[axis], halfSizes[axis]);
 	inverse_        = halfSizes.cwiseInverse();
 	smallest_       = halfSizes.minCoeff();
 	boundingRadius_ = farthestPoint(halfSizes, n1, n2);

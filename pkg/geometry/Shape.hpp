@@ -20,7 +20,7 @@ struct GaugeValue {
 
 class Shape {
 public:
-	// Throws std::invalid_argument naming the parameter and its value: half sizes must be finite and positive,
+	// Throws std::invalid_argument naming the parameter and its value: half sizes must lie within [1e-30, 1e30] m,
 	// exponents within [2, 20].
 	Shape(const Vector3& halfSizes, double n1, double n2);
 

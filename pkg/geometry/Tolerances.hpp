@@ -1,4 +1,4 @@
-// Every tolerance of the geometry, each with what it means physically. All are dimensionless, so that verdicts do not
+// Every tolerance of the geometry, each with what it means physically. All but the range of sizes are dimensionless, so that verdicts do not
 // depend on whether the grains are micrometres or metres.
 #pragma once
 
@@ -8,6 +8,14 @@ namespace superquadric::tolerances {
 // is under 5 % of the half size, where a smooth contact law has no meaning left.
 constexpr double smallestExponent = 2.0;
 constexpr double largestExponent = 20.0;
+
+// Half sizes [m] whose products of up to ten, as in an inertia over a curvature, neither overflow nor vanish.
+constexpr double smallestHalfSize = 1e-30;
+constexpr double largestHalfSize = 1e30;
+
+// Centres nearer than this part of the smallest half size are taken for one point: no place in a scene is known so well, and squares of what is
+// much smaller would vanish.
+constexpr double concentric = 1e-16;
 
 // How strongly the contact is drawn to the middle of both bodies, in the measure in which it is broad (PairProblem.hpp): faces of
 // half width a that touch with overlap d answer a tilt by moving the contact by tilt a^2/(2 d) (plate under a block) to tilt a^2/(4 d)

@@ -47,12 +47,12 @@ private:
 		"$n_1, n_2\\gg 2$ a block. Refused values raise ValueError naming the parameter and the value; the shape then stays as it was.\n\n"
 		"Points and directions given to the methods are in the frame of the body, from its centre.\n\n"
 		".. [Wang2018] Wang & Ji, Acta Phys. Sin. 67, 094501 (2018).",
-		((Vector3r, extents, Vector3r::Ones(), Attr::triggerPostLoad, "Half sizes (a, b, c) along the principal axes [m]; positive and finite. [defined below]"))
+		((Vector3r, extents, Vector3r::Ones(), Attr::triggerPostLoad, "Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. [defined below]"))
 		((Real, n1, 2, Attr::triggerPostLoad, "Exponent along z, within [2, 20]."))
 		((Real, n2, 2, Attr::triggerPostLoad, "Exponent in the x-y plane, within [2, 20]."))
 		, createIndex();,
 		.add_property("extents", &Superquadric::getExtents, &Superquadric::setExtents,
-			"Half sizes (a, b, c) along the principal axes [m]; positive and finite. Assign all three: reading gives a copy.")
+			"Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. Assign all three: reading gives a copy.")
 		.def("volume", &Superquadric::volume, "Volume [m^3], in closed form.")
 		.def("inertia", &Superquadric::inertia, (boost::python::arg("density")),
 			"Principal moments of inertia (Ixx, Iyy, Izz) about the centre for a density in [kg/m^3]; Vector3 [kg m^2], in closed form.")

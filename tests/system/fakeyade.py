@@ -67,7 +67,12 @@ def main():
         return 2
     force = 100 + int(hashlib.sha256(name.encode()).hexdigest()[:3], 16) / 10
     write('force.csv', f'time,baseForce\n0.0,10.0\n0.001,{force + 10}\n0.004,10.0\n')
-    write('bed.json' if options.bedOnly else 'summary.json', json.dumps({'parameters': parameters} if options.bedOnly else summary(parameters, force)))
+    if options.bedOnly:
+        from yade.superquadric import sealed  # takes a second, and impacts do not need it
+        write('bed.yade.gz', f'scene of {name}')
+        sealed.write('bed.json', {'parameters': parameters}, ('bed.yade.gz',))
+    else:
+        write('summary.json', json.dumps(summary(parameters, force)))
     if takenUp:
         os.remove('checkpoint.json')
     write(order('done', name), 'taken up' if takenUp else 'new')

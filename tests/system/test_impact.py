@@ -12,7 +12,7 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import report, results
+from yade.superquadric import report, results, sealed
 from yade.superquadric.parameters import checked
 from yade.superquadric.impact import supportForce, surfaceSpeed
 
@@ -230,9 +230,9 @@ def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
     assert 'no blow reached the base' in message and 'maxImpactTime' in message
     assert len(record(output)['time']) >= 100
     # With more time the same run finds its blow.
-    state = results.readJson(str(output / 'checkpoint.json'))
+    state = sealed.read(str(output / 'checkpoint.json'))
     state['parameters']['maxImpactTime'] = 0.05
-    results.writeJson(str(output / 'checkpoint.json'), state)
+    sealed.write(str(output / 'checkpoint.json'), state, ('checkpoint.yade.gz',))
     assert not (output / 'chains.png').exists()
     resumed = sq.ImpactRun.resume(str(output), stream=None)
     resumed.pictures = False

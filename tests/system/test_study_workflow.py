@@ -109,7 +109,7 @@ def test_killedAndStoppedStudiesGoOn(tmp_path):
     finished = killJob(study, runs[3])
     killParents(study, runs[3], finished)
     interrupt(study, finished)
-    goOnWithADamagedSummary(study, runs, finished)
+    goOnWithDamage(study, runs, finished)
     assert (study.output / 'results.csv').read_bytes() == (reference.output / 'results.csv').read_bytes()
     repeat(study, runs)
 
@@ -146,17 +146,19 @@ def interrupt(study, finished):
     assert not any(map(alive, pids)) and study.results() == finished
 
 
-def goOnWithADamagedSummary(study, runs, finished):
-    """It is named, does not count and is made again; the interrupted job is taken up."""
+def goOnWithDamage(study, runs, finished):
+    """A damaged summary, and a bed whose scene is damaged, are named, do not count and are made again; the interrupted job is taken up."""
+    bed = study.output / 'beds' / study.plan()['runs'][runs[0]]['bed']
     damaged = study.output / 'impacts' / runs[0] / 'summary.json'
     whole = damaged.read_text()
     damaged.write_text(whole[:len(whole) // 2])
+    (bed / 'bed.yade.gz').write_text('half')
     study.release()
     code, _, error = study.run()
-    assert code == 0 and f'{damaged}: damaged' in error
+    assert code == 0 and f'{damaged}: damaged' in error and f'{bed}: bed.yade.gz is damaged' in error and 'the bed is made again' in error
     assert (study.orders / f'done.{runs[3]}').read_text() == 'taken up'
-    assert damaged.read_text() == whole
-    assert {path: time for path, time in finished.items() if path != damaged}.items() <= study.results().items()
+    assert damaged.read_text() == whole and (bed / 'bed.yade.gz').read_text() != 'half'
+    assert {path: time for path, time in finished.items() if path not in (damaged, bed / 'bed.json')}.items() <= study.results().items()
 
 
 def repeat(study, runs):

@@ -77,6 +77,13 @@ TEST(Curvature, IsEquationTen)
 	}
 }
 
+// Found by the fuzz tests: at the pole it came out as -1e-18, by rounding.
+TEST(Curvature, OfAFaceIsNotNegative)
+{
+	const Shape slender(Vector3(9.99976974414163, 9.99976974414163, 99.99539493585037), 8, 2);
+	EXPECT_EQ(meanCurvature(slender, Vector3(0, 0, 99.99539493585037)), 0);
+}
+
 TEST(Curvature, OfFlatFacesAndOfTheBarrelOfACylinder)
 {
 	const Shape block(Vector3(1, 2, 3), 20, 20), cylinder(Vector3(2, 2, 3), 8, 2);

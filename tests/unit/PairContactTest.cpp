@@ -9,6 +9,7 @@
 #include "RandomBodies.hpp"
 #include "ReferenceShape.hpp"
 
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -253,6 +254,23 @@ TEST(PairContact, CurvaturesAreThoseOfTheSurfacePoints)
 }
 
 // Nothing is proved of a body whose place is not a number, and it is not settled in silence.
+// Found by the fuzz tests: at 1e-311 m, where the square of the distance vanishes, two balls were apart.
+TEST(PairContact, CentresThatAllButCoincideAreAnOverlap)
+{
+	RandomBodies random(79);
+	for (double power = -323; power < 0; power += 0.5)
+		for (double size : sizes) {
+			const double distance = size * std::pow(10, power);
+			const Body one { Shape(Vector3::Constant(size), 2, 2), Vector3::Zero(), random.rotation() };
+			for (const Shape& shape : { one.shape, random.shape(size) }) {
+				const Contact contact = contactOf(one, { shape, distance * random.direction(), random.rotation() });
+				ASSERT_EQ(contact.status, Status::Overlap) << distance;
+				EXPECT_NEAR(contact.normal.norm(), 1, 1e-12);
+				EXPECT_TRUE(contact.overlap > 0 && contact.point.allFinite() && contact.surface1.allFinite() && contact.surface2.allFinite());
+			}
+		}
+}
+
 TEST(PairContact, NotANumberIsNoVerdict)
 {
 	const Shape cube(Vector3::Constant(1), 8, 8);

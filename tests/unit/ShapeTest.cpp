@@ -245,6 +245,9 @@ TEST(Shape, RefusesBadInputNamingParameterAndValue)
 	expectRefused(Vector3(1, 1, 1), 2, 20.5, "n2", "20.5");
 	expectRefused(Vector3(1, 1, 1), 2, undefined, "n2", "nan");
 	expectRefused(Vector3(1, 1, 1), infinite, 2, "n1", "inf");
+	// Products of sizes beyond would overflow or vanish.
+	expectRefused(Vector3(1, 1, 9e-31), 2, 2, "extents[2]", "9e-31");
+	expectRefused(Vector3(1.1e30, 1, 1), 2, 2, "extents[0]", "1.1e+30");
 	EXPECT_EQ(messageOf(Vector3(1, 1, 1), 2, 20), "");
 	EXPECT_EQ(messageOf(Vector3(1e-6, 10, 1), 20, 2), "");
 }

@@ -17,7 +17,7 @@ build_plugin() {
   export CCACHE_DIR=$cache/ccache
   if [ ! -f "$build/build.ninja" ]; then
     say "building the plugin in $build (about 3 minutes the first time, then only what has changed)"
-    "${enter[@]}" env YADE_SOURCE="$headers" cmake -S "$project" -B "$build" -G Ninja --log-level=WARNING >&2 ||
+    "${enter[@]}" env YADE_SOURCE="$headers" cmake -S "$project" -B "$build" -G Ninja --log-level=WARNING -DSANITIZE="${SANITIZE:-}" >&2 ||
       { rm -f "$build/build.ninja"; die "the build could not be configured: see CMake's messages above."; }
   fi
   "${enter[@]}" cmake --build "$build" --parallel "$(jobs)" "${targets[@]}" |

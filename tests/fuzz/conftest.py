@@ -1,0 +1,11 @@
+"""The number of examples of each fuzz test goes into the report, for tests/run to count."""
+import pytest
+
+import fuzzing
+
+
+@pytest.fixture(autouse=True)
+def countExamples(record_property):
+    before = fuzzing.tried
+    yield
+    record_property('examples', fuzzing.tried - before)
