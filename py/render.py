@@ -22,7 +22,8 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
     """A PNG of one view or several side by side, in the same scale and colours.
 
     :param views: a `Frame` or `Snapshot`, or a list of (caption, such)
-    :param colour: of the particles: 'plain', 'kind' (shape), 'speed', 'force' (largest normal force), 'pressure', 'octahedralStress', 'contacts'; None: not drawn
+    :param colour: of the particles: 'plain', 'kind' (shape), 'speed', 'force' (largest normal force), 'pressure', 'octahedralStress', 'contacts';
+        None: not drawn
     :param chains: normal forces as tubes between centres, whose section grows with the force; particles are translucent then
     :param cut: take the half towards the viewer away
     :param limits: (lowest, highest) of the colours; None: from the views; chainLimit: the force [N] of the thickest tubes, None: from the views
@@ -110,8 +111,8 @@ def _compose(images, captions, style, title, eye, dpi):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     height, width = images[0].shape[:2]
-    figure = Figure(figsize=((len(images) * width / dpi + 0.05) + 0.95 * len(style.bars()), (1 + FOOT) * height / dpi + 0.28 * any(captions) + 0.32 * bool(title)),
-                    layout='constrained')
+    size = (len(images) * width / dpi + 0.05 + 0.95 * len(style.bars()), (1 + FOOT) * height / dpi + 0.28 * any(captions) + 0.32 * bool(title))
+    figure = Figure(figsize=size, layout='constrained')
     FigureCanvasAgg(figure)
     panels = np.atleast_1d(figure.subplots(1, len(images)))
     for axes, image, caption in zip(panels, images, captions):

@@ -6,7 +6,7 @@ from .frame import Frame
 from .surfaces import UPRIGHT, containerSurfaces, particleSurfaces
 
 SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
-KINDS = np.array([(0.90, 0.62, 0.00), (0.34, 0.71, 0.91), (0.00, 0.62, 0.45), (0.80, 0.47, 0.65), (0.94, 0.89, 0.26), (0.00, 0.45, 0.70)])  # Okabe & Ito
+KINDS = np.array([(0.9, 0.62, 0), (0.34, 0.71, 0.91), (0, 0.62, 0.45), (0.8, 0.47, 0.65), (0.94, 0.89, 0.26), (0, 0.45, 0.7)])  # Okabe & Ito
 CONTAINER = (0.55, 0.62, 0.70)
 FINENESS = 0.4         # of a pixel: distance between a particle's surface and its triangles
 DETAILS = 5e-4, 0.05   # the same over the largest half size, at least and at most
@@ -17,7 +17,7 @@ WEAK = 0.02            # forces below this share of the largest shown are left o
 THICKEST = 0.38        # radius of the thickest tube, over the particles' smallest half size (its median)
 ROOM = 1.04            # picture over what is in it
 HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
-LARGE = 2.0            # half size over the median, above which a particle is not cut away: an impactor
+LARGE = 2.0            # half size over the median (by volume), above which a particle is not cut away: an impactor
 
 # What colours mean: label, factor from SI, values of a frame.
 COLOURS = {
@@ -85,8 +85,8 @@ def pieces(frame, style, eye, size):
     shown = frame.particles[rows]
     if style.colour is not None and len(shown):
         surface = particleSurfaces(shown, _details(shown, eye['height'] / size[1]))
-        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals, colours=style.colours(frame)[rows][surface.owner],
-                           opacity=FAINT if style.chains else 1.0))
+        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals,
+                           colours=style.colours(frame)[rows][surface.owner], opacity=FAINT if style.chains else 1.0))
     if style.chains:
         result += _chains(frame, style, plane)
     if len(container.points):
@@ -99,15 +99,19 @@ def _cutPlane(style, frame, direction):
     """(point, normal) of the upright plane through the middle of the container or the particles; None without `cut`."""
     if not style.cut:
         return None
-    return Frame(frame.particles[:0] if len(frame.container) else frame.particles, container=frame.container).box().mean(axis=0), _horizontal(direction)
+    finite = np.any(frame.container['kind'] != bodyarrays.WALL)
+    box = Frame(frame.particles[:0], container=frame.container).box() if finite else style.box
+    return box.mean(axis=0), _horizontal(direction)
 
 
 def _kept(particles, plane):
     """Which particles lie behind the plane (None: all), or are so large that the picture would miss them."""
     if plane is None or not len(particles):
         return np.ones(len(particles), dtype=bool)
-    sizes = particles['extents'].max(axis=1)
-    return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * np.median(sizes))
+    sizes, volumes = particles['extents'].max(axis=1), particles['extents'].prod(axis=1)
+    order = np.argsort(sizes)
+    median = sizes[order[np.searchsorted(np.cumsum(volumes[order]), volumes.sum() / 2)]]
+    return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * median)
 
 
 def _details(particles, pixel):

@@ -10,7 +10,8 @@ import sys
 import numpy as np
 import pyvista
 
-LIGHTS = (((-0.5, 0.55, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.28), ((0.0, -0.6, 0.4), 0.12))  # direction seen from the camera (right, up, towards it), strength
+# Direction seen from the camera (right, up, towards it), and strength.
+LIGHTS = (((-0.5, 0.55, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.28), ((0.0, -0.6, 0.4), 0.12))
 
 
 def draw(job):

@@ -16,7 +16,7 @@ MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box
 UPRIGHT = 1 - 1e-9  # cosine of an axis with another, above which they are the same to rounding
 
 Surface = namedtuple('Surface', 'points normals triangles owner')
-Surface.__doc__ = """Triangles of many bodies: points [m] and unit normals (N, 3), triangles (M, 3) as places of points, owner (N,): whose row a point belongs to."""
+Surface.__doc__ = """Triangles of many bodies: points [m], unit normals (N, 3), triangles (M, 3) as places of points, owner (N,): whose row a point belongs to."""
 
 
 @lru_cache(maxsize=64)
@@ -56,14 +56,14 @@ def _joined(parts):
 
 
 def containerSurfaces(container, box):
-    """`Surface` of the `container` (rows of BORDER), triangles seen from both sides. Planes end a little beyond the `box` (2, 3) [m], or with a
-    hollow cylinder that stands on them; cylinders without end reach as far as the box.
+    """`Surface` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a hollow cylinder
+    that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
     """
     parts, first = [], 0
-    cylinders = container[container['kind'] == bodyarrays.CYLINDER]
+    cylinders, edges = container[container['kind'] == bodyarrays.CYLINDER], _edges(container, box)
     for row in np.flatnonzero(container['kind'] != bodyarrays.FACET):
         border = container[row]
-        points, normals, triangles = _cylinder(border, box) if border['kind'] == bodyarrays.CYLINDER else _plane(border, cylinders, box)
+        points, normals, triangles = _cylinder(border, box) if border['kind'] == bodyarrays.CYLINDER else _plane(border, cylinders, edges)
         parts.append(Surface(points, normals, triangles + first, np.full(len(points), row)))
         first += len(points)
     rows = np.flatnonzero(container['kind'] == bodyarrays.FACET)
@@ -91,7 +91,21 @@ def _cylinder(border, box):
     return points, np.tile(-ring @ turn.T, (2, 1)), triangles
 
 
-def _plane(border, cylinders, box):
+def _edges(container, box):
+    """Where planes end, lowest and highest corner (2, 3) [m]: at other planes around the middle of the box, else a little beyond the box."""
+    low, high = np.array(box) + MARGIN * np.linalg.norm(box[1] - box[0]) * np.array([[-1], [1]])
+    middle = np.mean(box, axis=0)
+    for wall in container[container['kind'] == bodyarrays.WALL]:
+        axis = int(wall['numbers'][0])
+        place = wall['position'][axis]
+        if place < middle[axis]:
+            low[axis] = max(low[axis], place)
+        else:
+            high[axis] = min(high[axis], place)
+    return low, high
+
+
+def _plane(border, cylinders, edges):
     axis, place = int(border['numbers'][0]), border['position']
     normal = np.eye(3)[axis]
     for cylinder in cylinders:
@@ -100,7 +114,7 @@ def _plane(border, cylinders, box):
             points[:, axis] = place[axis]
             corners = np.arange(1, CIRCLE - 1)
             return points, np.tile(normal, (CIRCLE, 1)), np.stack([np.zeros_like(corners), corners, corners + 1], axis=1)
-    low, high = np.array(box) + MARGIN * np.linalg.norm(box[1] - box[0]) * np.array([[-1], [1]])
+    low, high = edges
     one, other = (axis + 1) % 3, (axis + 2) % 3
     points = np.tile(place, (4, 1))
     points[:, one], points[:, other] = [low[one], high[one], high[one], low[one]], [low[other], low[other], high[other], high[other]]

@@ -170,7 +170,8 @@ def test_animationOfARecordedSeries(tmp_path):
 
 @pytest.mark.parametrize('arguments, words', [
     (dict(colour='mood'), "colour = 'mood'"), (dict(limits=(2, 1)), r'limits = \(2, 1\)'), (dict(chains='yes'), "chains = 'yes'"),
-    (dict(width=3), 'width = 3'), (dict(elevation=100), 'elevation = 100'), (dict(chainLimit=-1), 'chainLimit = -1'), (dict(path='bed.jpg'), 'bed.jpg')])
+    (dict(width=3), 'width = 3'), (dict(elevation=100), 'elevation = 100'), (dict(chainLimit=-1), 'chainLimit = -1'),
+    (dict(path='bed.jpg'), 'bed.jpg')])
 def test_badInput(tmp_path, arguments, words):
     ball(0)
     with pytest.raises(ValueError, match=words):
