@@ -11,8 +11,8 @@ foreach(host yade ${owner})
   list(APPEND hosts "${host} (= ${version})")
 endforeach()
 
-# suggestions(<result> <list>...): the packages in lists of tools/packages, but what every user has anyway.
-function(suggestions result)
+# others(<result> <list>...): the packages in lists of tools/packages, but what every user has anyway.
+function(others result)
   foreach(list ${ARGN})
     file(STRINGS ${PROJECT_SOURCE_DIR}/tools/packages/${list} names REGEX "^[a-z]")
     list(APPEND all ${names})
@@ -57,7 +57,8 @@ set(requiredPython python3-matplotlib python3-numpy python3-yaml)
 list(JOIN hosts ", " hosts)
 list(JOIN requiredPython ", " pythonDepends)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "${hosts}, python3:any, ${pythonDepends}")
-suggestions(CPACK_DEBIAN_PACKAGE_SUGGESTS study fem view)
+others(CPACK_DEBIAN_PACKAGE_RECOMMENDS view) # pictures of particles
+others(CPACK_DEBIAN_PACKAGE_SUGGESTS study fem)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA ${PROJECT_BINARY_DIR}/package/postinst ${PROJECT_BINARY_DIR}/package/prerm)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)
