@@ -6,7 +6,7 @@ import numpy as np
 from . import checks
 from .snapshot import Snapshot
 
-ACCURACY = 1e-3
+ACCURACY = 3e-3
 
 Measured = namedtuple('Measured', 'value low high')
 Measured.__doc__ = """A measured number with bounds: the true one lies in [low, high]."""
