@@ -70,31 +70,57 @@ def run(steps, rebalanceEvery=0):
     """
     steps, mpy = checks.wholeNumber('steps', steps, 1), _mpy()
     mpy.REALLOCATE_FREQUENCY = checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
-    if rank() == 0 and not O.splittedOnce:
-        O.energy.clear()
+    if rank() == 0 and not Totals.begun:
         if ranks() > 1:
             distribute()
+        for name in O.energy.keys():
+            O.energy[name] = 0  # clearing it would confuse NewtonIntegrator, which knows the places of its entries
+    Totals.begun = True
     if ranks() == 1:
         O.run(steps, wait=True)
         return
     _meet()
+    if not O.splittedOnce:
+        _orAbort(_split)
     _orAbort(mpy.mpirun, steps)
+
+
+def _split():
+    """`mpy.splitScene`, with the contacts at borders and walls as they are. It erases all bodies of other ranks, and gets those that are near a border
+    back without what their contacts remember. Here the first erasing is left out, and all keep their boxes, so that the collider knows them; the
+    second erasing, of those that are not near, does all that is needed."""
+    mpy = _mpy()
+    for name in ('unboundRemoteBodies', 'eraseRemote'):
+        _spareFirstCall(mpy, name)
+    silent, mpy.NO_OUTPUT = mpy.NO_OUTPUT, True  # mpy wonders that the walls are known already
+    mpy.splitScene()
+    mpy.NO_OUTPUT = silent
+
+
+def _spareFirstCall(module, name):
+    function = getattr(module, name)
+    setattr(module, name, lambda: setattr(module, name, function))
 
 
 def merge(forGood=False):
     """Bring all bodies and contacts back to rank 0, where they can be drawn or measured; to be called by all ranks.
 
-    :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`; no `run` on several ranks can follow
+    :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`, without `Totals`; no `run` on several ranks
+        can follow
     """
-    if ranks() == 1:
-        return
-    _meet()
-    _orAbort(_mpy().mergeScene)
+    if ranks() > 1:
+        _meet()
+        _orAbort(_mpy().mergeScene)
     if forGood and rank() == 0:
-        for body in list(O.bodies):
-            if body.isSubdomain:
-                O.bodies.erase(body.id)
-            body.subdomain = 0
+        _makeOrdinary()
+
+
+def _makeOrdinary():
+    for body in list(O.bodies):
+        if body.isSubdomain:
+            O.bodies.erase(body.id)
+        body.subdomain = 0
+    O.engines = [each for each in O.engines if not (isinstance(each, PyRunner) and each.command.startswith(Totals.COMMAND))]
 
 
 def _orAbort(do, *arguments):
@@ -158,15 +184,17 @@ class Totals:
         `bodies` that moved, and with O.trackEnergy `energy`, the entries of O.energy [J] since the scene was cut; on other ranks empty
     """
 
-    _all = []  # by the number that the scene's PyRunner has
+    COMMAND = f"sys.modules['{__name__}'].Totals._all"  # of the scene's PyRunner, which has the number in this list:
+    _all = []
+    begun = False  # whether there was a `run`
 
     def __init__(self, supports=(), every=1):
         self.supports, self.rows = list(supports), []
         every = checks.wholeNumber('every', every, 1)
         Totals._all.append(self)
         if rank() == 0:
-            place = f"sys.modules['{__name__}'].Totals._all[{len(Totals._all) - 1}]"
-            O.engines = O.engines + [PyRunner(command=f'{place}.record()', iterPeriod=every, firstIterRun=O.iter + every - 1)]
+            command = f'{self.COMMAND}[{len(Totals._all) - 1}].record()'
+            O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=O.iter + every - 1)]
 
     def record(self):
         """Called on all ranks in the same step."""

@@ -14,6 +14,7 @@ from yade.minieigenHP import Vector3
 from yade.superquadric import parallel
 from yade.wrapper import CurvatureMat
 
+ALONE = 600   # steps that rank 0 does before the scene is cut, so that there are contacts at the borders and walls then
 SIZE = 4.5e-3  # radius of the sphere of a particle's volume [m]
 
 
@@ -80,6 +81,8 @@ if parallel.rank() == 0:
     O.engines = sq.superquadricEngines()
     O.dt = 0.05 * sq.criticalTimeStep()
     O.trackEnergy = True
+    if scene != 'clump':
+        O.run(ALONE, wait=True)
 if division == 'scattered':
     def scatter(places, domains):
         for i, (_, number) in enumerate(places):

@@ -1,7 +1,7 @@
 """Scenes on several processes, or threads, against the same scene on one (parallelscene.py): totals at ten moments and after rank 0 has gone on
 alone, and what the contacts remember.
 
-Sums over the ranks add up in another order, and the solver starts elsewhere at a border: both are rounding, which grows in a bed. After these 600
+Sums over the ranks add up in another order, and the solver starts elsewhere at a border: both are rounding, which grows in a bed. After these 400
 steps it is below 1e-8 of the largest value; a contact that is missed, forgotten or counted twice shows at 1e-3 and above.
 """
 import json
@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 SCENE = Path(__file__).with_name('parallelscene.py')
-STEPS = 600
+STEPS = 400
 ROUNDING = 1e-8
 # Open MPI: more processes than cores, as root in a container, and no network.
 ENVIRONMENT = {**os.environ, 'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_ROOT_CONFIRM': '1', 'OMPI_MCA_btl': 'self,sm'}
@@ -93,7 +93,7 @@ def test_everyParticleHasOneRank(outcome):
 def test_bodiesChangeTheirRank(outcome):
     _, first, second = outcome('bed', 3, 'scattered')['held']
     dealt = sorted(first + second)[::2]  # to the first, at the start
-    assert len(set(first) - set(dealt)) > 5
+    assert len(set(first) - set(dealt)) > 2
 
 
 def test_anErrorOnRank0EndsTheRun(tmp_path):
