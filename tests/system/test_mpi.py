@@ -21,7 +21,7 @@ ENVIRONMENT = {**os.environ, 'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_R
 def launch(ranks, threads, *arguments):
     launcher = [] if ranks == 1 else ['mpirun', '--oversubscribe', '-np', str(ranks)]
     return subprocess.run([*launcher, 'yade', '-n', '-x', f'-j{threads}', *map(str, arguments)], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, timeout=120)
+                          capture_output=True, text=True, timeout=300)
 
 
 @pytest.fixture(scope='module')
