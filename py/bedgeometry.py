@@ -58,7 +58,7 @@ def measureBed(snapshot, container, voxel=None):
 
     :param voxel: edge length [m]; by default a tenth of the mean particle's radius of equal volume
     :returns: dict of the three and `voxel`
-    :raises ValueError: no particles, or a voxel so small that the grid would not fit into memory
+    :raises ValueError: no particles, or a voxel so small that the grid would not fit into memory, or so large that it meets none
     """
     if not len(snapshot):
         raise ValueError('snapshot: no particles, so there is no bed to measure')
@@ -68,7 +68,9 @@ def measureBed(snapshot, container, voxel=None):
     filled, centers = voxelGrid(snapshot, container, voxel)
     columns = _columnsInside(container, centers, 0.0)
     levels = np.where(filled.any(axis=2), voxel * (filled.shape[2] - filled[:, :, ::-1].argmax(axis=2)), 0.0)
-    thickness = float(levels[columns].mean())
+    thickness = float(levels[columns].mean()) if columns.any() else 0.0
+    if not thickness > 0:
+        raise ValueError(f'voxel = {voxel!r}: too coarse, no voxel in the container has its centre in a particle')
     area = containers.crossSection(container)
     middle = (centers[2] > radius) & (centers[2] < thickness - radius)
     inner = filled[_columnsInside(container, centers, 2 * radius)][:, middle]

@@ -13,6 +13,7 @@ from yade import O
 
 import yade.superquadric as sq
 from yade.superquadric import checkpoint, finishedbed, oedometercase, results, sealed
+from yade.superquadric.parameters import bedPart
 from yade.superquadric.study import plan as plans, studyfile, table
 
 from fuzzing import fuzz, refused
@@ -99,7 +100,7 @@ def stillMine():
 def test_beds(place, name, how):
     isOther = copyWith(WHOLE['bed'], place, name, how)
     marked()
-    answer, no = refused(lambda: (finishedbed.read(place), finishedbed.load(place)), place)
+    answer, no = refused(lambda: (finishedbed.read(place, bedPart), finishedbed.load(place)), place)
     if no:
         assert isinstance(answer, ValueError) and stillMine() and isOther
     else:
