@@ -40,7 +40,7 @@ test:
 fuzz: export FUZZ_EXAMPLES ?= 2000
 fuzz: export TEST_TIME_LIMIT = 86400
 fuzz:
-	@tools/env --with study --with fem tests/run tests/fuzz
+	@tools/env --with study --with fem --with view tests/run tests/fuzz
 
 sanitize: export SANITIZE = address,undefined
 sanitize:
