@@ -44,7 +44,7 @@ fuzz:
 
 sanitize: export SANITIZE = address,undefined
 sanitize:
-	@tools/env --with study --with fem --target unit_tests --target oracle_tests tests/sanitize
+	@tools/env --with study --with fem --with view --target unit_tests --target oracle_tests tests/sanitize
 
 tidy:
 	@tools/env --with tidy tests/tidy
