@@ -5,6 +5,7 @@
 namespace superquadric {
 
 namespace {
+	// std::lgamma is not safe among threads for the global sign it leaves, which nobody reads. NOLINTNEXTLINE(concurrency-mt-unsafe)
 	double beta(double x, double y) { return std::exp(std::lgamma(x) + std::lgamma(y) - std::lgamma(x + y)); }
 } // namespace
 

@@ -119,7 +119,7 @@ Contact contactTriangle(const Placement& body, const Triangle& v, WarmStart& war
 {
 	const Vector3 normal = (v[1] - v[0]).cross(v[2] - v[0]).normalized();
 	const bool above = (body.position - v[0]).dot(normal) >= 0;
-	const Contact plane = contactPlane(body, v[0], above ? normal : Vector3(-normal), warm, counters);
+	Contact plane = contactPlane(body, v[0], above ? normal : Vector3(-normal), warm, counters);
 	if (!plane.overlapping()) return plane;
 	std::array<bool, 3> beyond;
 	for (int i = 0; i < 3; ++i)
