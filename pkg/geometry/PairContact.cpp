@@ -73,7 +73,8 @@ namespace {
 			return true;
 		}
 
-		long shapes() const { return problem_.body1().shape.fingerprint() ^ (problem_.body2().shape.fingerprint() << 1); }
+		// Doubled without its sign: a negative number must not be shifted.
+		long shapes() const { return problem_.body1().shape.fingerprint() ^ long(2 * static_cast<unsigned long>(problem_.body2().shape.fingerprint())); }
 
 		bool apartBySpheres()
 		{
