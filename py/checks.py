@@ -81,7 +81,7 @@ def boolean(name, value):
 
 def oneOf(name, value, choices):
     """`value` if it is among `choices`."""
-    if not isinstance(value, (str, Number)) or value not in choices:
+    if not (value is None or isinstance(value, (str, Number))) or value not in choices:
         raise ValueError(f'{name} = {value!r}: must be one of {", ".join(map(str, choices))}')
     return value
 
