@@ -27,9 +27,12 @@ protected:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BreakableMat, ElastoplasticMat,
-		"Material of particles that :yref:`BreakageEngine` may break. Of particles of size d (diameter of the sphere of the same volume) the part $\\exp(-(d/d_0)^3(\\sigma/\\sigma_0)^m)$ survives the stress $\\sigma$ (Weibull 1951), so that "
-		"strength goes as $d^{-3/m}$. It yields as well only if its yieldStress is given. Bodies get a :yref:`BreakableState`. As for :yref:`CurvatureMat`, a refused value raises ValueError and the material stays as it was.",
-		((Real, characteristicStrength, std::numeric_limits<Real>::infinity(), Attr::triggerPostLoad, "$\\sigma_0$, positive [Pa]: what the part 1/e of the particles of referenceSize survive, in the measure of :yref:`BreakageEngine.criterion`. Infinite: never breaks."))
+		"Material of particles that :yref:`BreakageEngine` may break. Of particles of size d (diameter of the sphere of the same volume) the part "
+			"$\\exp(-(d/d_0)^3(\\sigma/\\sigma_0)^m)$ survives the stress $\\sigma$ (Weibull 1951), so that "
+		"strength goes as $d^{-3/m}$. It yields as well only if its yieldStress is given. Bodies get a :yref:`BreakableState`. As for "
+			":yref:`CurvatureMat`, a refused value raises ValueError and the material stays as it was.",
+		((Real, characteristicStrength, std::numeric_limits<Real>::infinity(), Attr::triggerPostLoad, "$\\sigma_0$, positive [Pa]: what the part 1/e "
+			"of the particles of referenceSize survive, in the measure of :yref:`BreakageEngine.criterion`. Infinite: never breaks."))
 		((Real, referenceSize, 1e-2, Attr::triggerPostLoad, "$d_0$, positive [m]."))
 		((Real, weibullModulus, 3, Attr::triggerPostLoad, "$m$, positive [-]."))
 		((Real, smallestSize, 0, Attr::triggerPostLoad, "Size below which a particle does not break, not negative [m]."))

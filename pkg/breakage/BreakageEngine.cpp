@@ -234,7 +234,8 @@ void BreakageEngine::noteBirths(Body::id_t first) const
 		for (const auto& functor : loop->lawDispatcher->functors) {
 			auto* law = dynamic_cast<CurvatureLaw*>(functor.get());
 			if (!law)
-				throw std::invalid_argument("BreakageEngine: " + functor->getClassName() + " cannot hold fragments that overlap at birth; use a law on the local curvature");
+				throw std::invalid_argument("BreakageEngine: " + functor->getClassName() + " cannot hold fragments that overlap at birth; use a law "
+					"on the local curvature");
 			law->noteBirths(scene->iter, first);
 		}
 	}
@@ -263,7 +264,8 @@ void BreakageEngine::checkTimeStep(const BreakableMat& material, const superquad
 	const Real critical = material.criticalTimeStep(smallest);
 	if (scene->dt <= critical || scene->timeStepperActive()) return;
 	std::ostringstream demand;
-	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or inertialSize, or a shorter step)";
+	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or "
+		"inertialSize, or a shorter step)";
 	refuse("O.dt", demand.str().c_str(), scene->dt);
 }
 

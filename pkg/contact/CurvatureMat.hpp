@@ -36,18 +36,25 @@ private:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(CurvatureMat, FrictMat,
-		"Material for :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, with the parameters of [Wang2018]_. A value that is refused raises ValueError naming "
+		"Material for :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, with the parameters of [Wang2018]_. A value that is refused raises ValueError "
+			"naming "
 		"the parameter and the value; the material then stays as it was. A change reaches contacts that begin after it.",
-		((Real, normalDamping, 0, Attr::triggerPostLoad, "$C_n$ of (6), within [0, 1) [-]. The restitution is 0.847 for 0.05, 0.820 for 0.06 and 0.725 for 0.1, at any speed."))
+		((Real, normalDamping, 0, Attr::triggerPostLoad, "$C_n$ of (6), within [0, 1) [-]. The restitution is 0.847 for 0.05, 0.820 for 0.06 and "
+			"0.725 for 0.1, at any speed."))
 		((Real, tangentialDamping, 0, Attr::triggerPostLoad, "$C_t$ of (12), not negative [-]."))
 		((Real, rollingFriction, 0, Attr::triggerPostLoad, "$\\mu_r$ of (13), not negative [-]."))
 		, createIndex(); postLoad(*this);,
-		.add_property("density", &CurvatureMat::getInherited<Material, &Material::density>, &CurvatureMat::setInherited<Material, &Material::density>, "Density, positive [kg/m^3].")
-		.add_property("young", &CurvatureMat::getInherited<ElastMat, &ElastMat::young>, &CurvatureMat::setInherited<ElastMat, &ElastMat::young>, "Young's modulus, positive [Pa].")
-		.add_property("poisson", &CurvatureMat::getInherited<ElastMat, &ElastMat::poisson>, &CurvatureMat::setInherited<ElastMat, &ElastMat::poisson>, "Poisson's ratio, between -1 and 0.5 [-].")
-		.add_property("frictionAngle", &CurvatureMat::getInherited<FrictMat, &FrictMat::frictionAngle>, &CurvatureMat::setInherited<FrictMat, &FrictMat::frictionAngle>, "Angle of sliding friction, the arc tangent of $\\mu_s$ of (11), within [0, pi/2) [rad].")
+		.add_property("density", &CurvatureMat::getInherited<Material, &Material::density>, &CurvatureMat::setInherited<Material, &Material::density>,
+			"Density, positive [kg/m^3].")
+		.add_property("young", &CurvatureMat::getInherited<ElastMat, &ElastMat::young>, &CurvatureMat::setInherited<ElastMat, &ElastMat::young>,
+			"Young's modulus, positive [Pa].")
+		.add_property("poisson", &CurvatureMat::getInherited<ElastMat, &ElastMat::poisson>, &CurvatureMat::setInherited<ElastMat, &ElastMat::poisson>,
+			"Poisson's ratio, between -1 and 0.5 [-].")
+		.add_property("frictionAngle", &CurvatureMat::getInherited<FrictMat, &FrictMat::frictionAngle>, &CurvatureMat::setInherited<FrictMat, &FrictMat::frictionAngle>,
+			"Angle of sliding friction, the arc tangent of $\\mu_s$ of (11), within [0, pi/2) [rad].")
 		.def("criticalTimeStep", &CurvatureMat::criticalTimeStep, (boost::python::arg("minHalfSize")),
-			"$t_{max}$ of (14) [s] for the smallest half size among the particles [m]; steps of at most 0.1 $t_{max}$ are advised. ValueError unless minHalfSize is positive.")
+			"$t_{max}$ of (14) [s] for the smallest half size among the particles [m]; steps of at most 0.1 $t_{max}$ are advised. ValueError unless "
+				"minHalfSize is positive.")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(CurvatureMat, FrictMat);

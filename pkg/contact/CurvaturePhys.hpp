@@ -14,20 +14,26 @@ public:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(CurvaturePhys, FrictPhys,
-		"Physics of a contact under :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`. All forces are those on body 2 (the opposite acts on body 1). normalForce and shearForce are "
-		"the whole forces, viscous parts included; kn is the tangent stiffness of the normal force and ks that of the tangential force before slip, its upper bound.",
+		"Physics of a contact under :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`. All forces are those on body 2 (the opposite acts on body 1). "
+			"normalForce and shearForce are "
+		"the whole forces, viscous parts included; kn is the tangent stiffness of the normal force and ks that of the tangential force before slip, "
+			"its upper bound.",
 		((Real, effectiveModulus, NaN, Attr::readonly, "$E^*$ of (7) [Pa]."))
 		((Real, stiffnessRatio, NaN, Attr::readonly, "$(2-\\nu)/(2(1-\\nu))$ of (11), or its generalisation for unequal materials, kn/ks [-]."))
 		((Real, normalDamping, NaN, Attr::readonly, "$C_n$ of (6) [-]."))
 		((Real, tangentialDamping, NaN, Attr::readonly, "$C_t$ of (12) [-]."))
 		((Real, rollingFriction, NaN, Attr::readonly, "$\\mu_r$ of (13) [-]."))
 		((Real, effectiveMass, NaN, Attr::readonly, "$m^*=m_1m_2/(m_1+m_2)$, of the tangential damping (12) in this step [kg]. |yupdate|"))
-		((Real, normalMass, NaN, Attr::readonly, "$m^*$ of the normal damping (8) in this step, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.leverArms` [kg]. |yupdate|"))
+		((Real, normalMass, NaN, Attr::readonly, "$m^*$ of the normal damping (8) in this step, see "
+			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.leverArms` [kg]. |yupdate|"))
 		((Real, effectiveRadius, NaN, Attr::readonly, "$R^*$ of (7) in this step, from bounded curvatures [m]. |yupdate|"))
 		((Real, hertzStiffness, 0, Attr::readonly, "$K_n$ of (7) in this step [N/m^1.5]. |yupdate|"))
 		((Real, overlap, 0, Attr::readonly, "Overlap in this step that the law counts, which is the geometry's less restOverlap [m]. |yupdate|"))
-		((Real, restOverlap, 0, Attr::readonly, "Overlap without force: that which the bodies had when one of them came to be by breakage (:yref:`BreakageEngine`), in the same step as the contact; an overlap that falls below takes it along, it never grows. Zero of all other contacts [m]. |yupdate|"))
-		((Vector3r, shearDisplacement, Vector3r::Zero(), Attr::readonly, "Tangential displacement of body 2 relative to body 1 since the contact began, less what slipped; turns with the contact [m]. |yupdate|"))
+		((Real, restOverlap, 0, Attr::readonly, "Overlap without force: that which the bodies had when one of them came to be by breakage "
+			"(:yref:`BreakageEngine`), in the same step as the contact; an overlap that falls below takes it along, it never grows. Zero of all "
+			"other contacts [m]. |yupdate|"))
+		((Vector3r, shearDisplacement, Vector3r::Zero(), Attr::readonly, "Tangential displacement of body 2 relative to body 1 since the contact "
+			"began, less what slipped; turns with the contact [m]. |yupdate|"))
 		((Vector3r, normalViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of normalForce [N]. |yupdate|"))
 		((Vector3r, shearViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of shearForce [N]. |yupdate|"))
 		((Vector3r, rollingCouple, Vector3r::Zero(), Attr::readonly, "Couple of (13) on body 2 [N m]. |yupdate|"))

@@ -20,10 +20,14 @@ protected:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(ElastoplasticMat, CurvatureMat,
-		"Material for :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`, after Li, Gao, Zhang & Liu (2018): it yields at the mean pressure $1.6\\sigma_y$, and beyond hardens as "
-		"$f_p/f_y=G(R/R_0)((a-a_y)/a_y)^H$ with $G(r)=m_0+m_1r+m_2r^2$. As for :yref:`CurvatureMat`, a refused value raises ValueError and the material stays as it was. The numbers of the hardening depend on each other and "
-		"are checked as soon as yieldStress is finite, so give all of them in the constructor, or several at once by updateAttrs({...}), or yieldStress last.",
-		((Real, yieldStress, std::numeric_limits<Real>::infinity(), Attr::triggerPostLoad, "$\\sigma_y$, positive and below Young's modulus [Pa]; infinite: never yields."))
+		"Material for :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`, after Li, Gao, Zhang & Liu (2018): it yields at the mean pressure "
+			"$1.6\\sigma_y$, and beyond hardens as "
+		"$f_p/f_y=G(R/R_0)((a-a_y)/a_y)^H$ with $G(r)=m_0+m_1r+m_2r^2$. As for :yref:`CurvatureMat`, a refused value raises ValueError and the "
+			"material stays as it was. The numbers of the hardening depend on each other and "
+		"are checked as soon as yieldStress is finite, so give all of them in the constructor, or several at once by updateAttrs({...}), or "
+			"yieldStress last.",
+		((Real, yieldStress, std::numeric_limits<Real>::infinity(), Attr::triggerPostLoad, "$\\sigma_y$, positive and below Young's modulus [Pa]; "
+			"infinite: never yields."))
 		((Real, referenceRadius, 2.5e-3, Attr::triggerPostLoad, "$R_0$ of the fit, positive [m]."))
 		((Real, m0, 0, Attr::triggerPostLoad, "$m_0$ [-]. $G$ must be positive at all radii of the fit."))
 		((Real, m1, 0, Attr::triggerPostLoad, "$m_1$ [-]."))

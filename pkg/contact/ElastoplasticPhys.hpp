@@ -25,9 +25,11 @@ public:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(ElastoplasticPhys, CurvaturePhys,
-		"Physics of a contact under :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`. kn is the tangent stiffness of the unloading branch, the largest one at this overlap, ks = kn/stiffnessRatio; shearDisplacement is the stretch of the "
+		"Physics of a contact under :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`. kn is the tangent stiffness of the unloading branch, the largest "
+			"one at this overlap, ks = kn/stiffnessRatio; shearDisplacement is the stretch of the "
 		"tangential spring, shearEnergy its energy.",
-		((Real, yieldStress, std::numeric_limits<Real>::infinity(), Attr::readonly, "Of the material that yields, as are the numbers of its hardening; see :yref:`ElastoplasticMat` [Pa]."))
+		((Real, yieldStress, std::numeric_limits<Real>::infinity(), Attr::readonly, "Of the material that yields, as are the numbers of its "
+			"hardening; see :yref:`ElastoplasticMat` [Pa]."))
 		((Real, referenceRadius, NaN, Attr::readonly, "[m]"))
 		((Real, m0, NaN, Attr::readonly, "[-]"))
 		((Real, m1, NaN, Attr::readonly, "[-]"))
@@ -36,8 +38,10 @@ public:
 		((Real, smallestRatio, NaN, Attr::readonly, "[-]"))
 		((Real, largestRatio, NaN, Attr::readonly, "[-]"))
 		((Real, rollingDamping, 0, Attr::readonly, "Part of the critical damping of rolling [-]."))
-		((Real, curveModulus, 0, Attr::readonly, "$E^*$ of the loading curve: once the contact has yielded, that of the step when it did [Pa]. |yupdate|"))
-		((Real, curveRadius, 0, Attr::readonly, "$R$ of the loading curve: once the contact has yielded, that of the step when it did [m]. |yupdate|"))
+		((Real, curveModulus, 0, Attr::readonly, "$E^*$ of the loading curve: once the contact has yielded, that of the step when it did [Pa]. "
+			"|yupdate|"))
+		((Real, curveRadius, 0, Attr::readonly, "$R$ of the loading curve: once the contact has yielded, that of the step when it did [m]. "
+			"|yupdate|"))
 		((Real, largestOverlap, 0, Attr::readonly, "$d_{max}$ of a contact that has yielded; the overlap before [m]. |yupdate|"))
 		((Real, residualOverlap, 0, Attr::readonly, "$d_R$, where the force ends on unloading; zero until the contact has yielded [m]. |yupdate|"))
 		((Real, plasticDissipation, 0, Attr::readonly, "Plastic work of this contact so far [J]. |yupdate|"))

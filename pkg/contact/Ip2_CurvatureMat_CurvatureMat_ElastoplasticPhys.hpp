@@ -14,8 +14,10 @@ public:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC(Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
-		"Creates :yref:`ElastoplasticPhys` when a contact begins, for :yref:`ElastoplasticMat` and :yref:`CurvatureMat` (which never yields) in any combination. The contact yields as the material with the smaller yield stress "
-		"does: both feel the same pressure. The damping of rolling is the mean of both, as that of the other dampings; all else is as in :yref:`Ip2_CurvatureMat_CurvatureMat_CurvaturePhys`."
+		"Creates :yref:`ElastoplasticPhys` when a contact begins, for :yref:`ElastoplasticMat` and :yref:`CurvatureMat` (which never yields) in any "
+			"combination. The contact yields as the material with the smaller yield stress "
+		"does: both feel the same pressure. The damping of rolling is the mean of both, as that of the other dampings; all else is as in "
+			":yref:`Ip2_CurvatureMat_CurvatureMat_CurvaturePhys`."
 	);
 	// clang-format on
 };

@@ -49,10 +49,14 @@ private:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC(SuperquadricInteractionLoop, InteractionLoop,
-		"An :yref:`InteractionLoop` for scenes of many superquadrics: the same functors, results and interactions, in less time. What belongs to a body (rotation matrix, inverse inertia) is "
-		"computed once per step; pairs of superquadrics are kept side by side in memory with what the solver remembers of them, so that a pair that does not touch is sent away without its interaction being "
-		"looked at. Pairs of spheres that have not yet moved by the gap between them are left alone as well; all others are dispatched as YADE does it.\n\n"
-		"Contacts are always visited in the order of the bodies' ids, so that on one thread sums of forces do not depend on the history of the list of interactions: loopOnSortedInteractions has no effect."
+		"An :yref:`InteractionLoop` for scenes of many superquadrics: the same functors, results and interactions, in less time. What belongs to a "
+			"body (rotation matrix, inverse inertia) is "
+		"computed once per step; pairs of superquadrics are kept side by side in memory with what the solver remembers of them, so that a pair that "
+			"does not touch is sent away without its interaction being "
+		"looked at. Pairs of spheres that have not yet moved by the gap between them are left alone as well; all others are dispatched as YADE does "
+			"it.\n\n"
+		"Contacts are always visited in the order of the bodies' ids, so that on one thread sums of forces do not depend on the history of the list "
+			"of interactions: loopOnSortedInteractions has no effect."
 	);
 	// clang-format on
 };

@@ -50,17 +50,26 @@ private:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(VibratingBoxEngine, PartialEngine,
-		"Moves the bodies :yref:`ids<PartialEngine.ids>` (walls, facets, particles frozen to them) together as one rigid box that does not turn: along each of the freeAxes it has a mass on a spring and a dashpot, "
-		"driven by the harmonic force forceAmplitude sin(2 pi frequency O.time + phase) and by all the forces that act on its members. It is integrated by YADE's leap-frog.\n\n"
-		"It goes into O.engines after the contact loop and before :yref:`NewtonIntegrator`, which moves the members with the velocity that they are given here. Members must have all degrees of freedom blocked and belong to no "
-		"clump. Where they are when they are first seen belongs to the displacement of that time; from then on they are kept there relative to the box, to the last digit. A change of displacement moves them in the next step.\n\n"
-		"The box weighs mass plus the masses of its members (walls have none). The members are under the gravity of NewtonIntegrator, the box itself is by default not: displacement then counts from where the springs carry "
+		"Moves the bodies :yref:`ids<PartialEngine.ids>` (walls, facets, particles frozen to them) together as one rigid box that does not turn: "
+			"along each of the freeAxes it has a mass on a spring and a dashpot, "
+		"driven by the harmonic force forceAmplitude sin(2 pi frequency O.time + phase) and by all the forces that act on its members. It is "
+			"integrated by YADE's leap-frog.\n\n"
+		"It goes into O.engines after the contact loop and before :yref:`NewtonIntegrator`, which moves the members with the velocity that they are "
+			"given here. Members must have all degrees of freedom blocked and belong to no "
+		"clump. Where they are when they are first seen belongs to the displacement of that time; from then on they are kept there relative to the "
+			"box, to the last digit. A change of displacement moves them in the next step.\n\n"
+		"The box weighs mass plus the masses of its members (walls have none). The members are under the gravity of NewtonIntegrator, the box itself "
+			"is by default not: displacement then counts from where the springs carry "
 		"the empty box (ownWeight). For the contact law the box counts as infinitely heavy.\n\n"
-		"With O.trackEnergy, O.energy has: 'boxKinetic' (of mass, without the members': those are in YADE's 'kinetic') and 'boxSpring', now; the sums 'boxDashpot' (taken out) and 'boxDrive' (the work of the drive, negative like YADE's 'gravWork', "
-		"because it comes from outside). Those of a linear box alone add up to a constant to rounding; together with what contacts, particles and gravity have booked, to a constant up to the error of the time step. YADE's 'kinetic' "
+		"With O.trackEnergy, O.energy has: 'boxKinetic' (of mass, without the members': those are in YADE's 'kinetic') and 'boxSpring', now; the "
+			"sums 'boxDashpot' (taken out) and 'boxDrive' (the work of the drive, negative like YADE's 'gravWork', "
+		"because it comes from outside). Those of a linear box alone add up to a constant to rounding; together with what contacts, particles and "
+			"gravity have booked, to a constant up to the error of the time step. YADE's 'kinetic' "
 		"belongs to half a step before all others; what it has of members, to half a step after.\n\n"
-		"A value that is refused raises ValueError naming the parameter and the value; the box then stays as it was. Members that cannot be raise it at the step, before anything moves.",
-		((std::string, freeAxes, "z", Attr::triggerPostLoad, "Axes along which the box is free: each of x, y, z at most once. Along the others it is held where it is; '' holds it altogether."))
+		"A value that is refused raises ValueError naming the parameter and the value; the box then stays as it was. Members that cannot be raise it "
+			"at the step, before anything moves.",
+		((std::string, freeAxes, "z", Attr::triggerPostLoad, "Axes along which the box is free: each of x, y, z at most once. Along the others it is "
+			"held where it is; '' holds it altogether."))
 		((Real, mass, 1, Attr::triggerPostLoad, "Of the box without its members, positive [kg]."))
 		((Vector3r, stiffness, Vector3r::Zero(), Attr::triggerPostLoad, "Of the springs along the axes, not negative [N/m]. [defined below]"))
 		((Vector3r, damping, Vector3r::Zero(), Attr::triggerPostLoad, "Of the dashpots along the axes, not negative [N s/m]. [defined below]"))
@@ -69,8 +78,10 @@ private:
 		((Real, phase, 0, Attr::triggerPostLoad, "Of the driving force at O.time = 0 [rad]."))
 		((bool, ownWeight, false, , "Whether gravity acts on mass as well, so that displacement counts from where the springs are slack."))
 		((Vector3r, displacement, Vector3r::Zero(), Attr::triggerPostLoad, "Of the box, where the members are after the step [m]. [defined below]"))
-		((Vector3r, velocity, Vector3r::Zero(), Attr::triggerPostLoad, "Of the box, as of YADE's bodies that of half a step earlier [m/s]. [defined below]"))
-		((Vector3r, contactForce, Vector3r::Zero(), Attr::readonly, "Sum of the forces on the members at the beginning of the last step, without their weight [N]."))
+		((Vector3r, velocity, Vector3r::Zero(), Attr::triggerPostLoad, "Of the box, as of YADE's bodies that of half a step earlier [m/s]. [defined "
+			"below]"))
+		((Vector3r, contactForce, Vector3r::Zero(), Attr::readonly, "Sum of the forces on the members at the beginning of the last step, without "
+			"their weight [N]."))
 		((Vector3r, contactImpulse, Vector3r::Zero(), , "Sum of contactForce times the time step so far [N s]."))
 		((std::vector<int>, seenIds, , Attr::hidden, "Members that `references` belongs to."))
 		((std::vector<Vector3r>, references, , Attr::hidden, "Members' positions at displacement zero [m]."))

@@ -17,8 +17,10 @@ private:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(VibrationRecorder, PeriodicEngine,
-		"Records the motion of a :yref:`VibratingBoxEngine` and of the centre of mass of particles, as often as :yref:`PeriodicEngine` is told to (iterPeriod), in lists that grow together. It goes into O.engines after "
-		":yref:`NewtonIntegrator`: positions and velocities are then those in the middle of the step, in which the leap-frog has both to second order; times are to match. The lists are saved with the scene; without particles the centre of mass stays zero.",
+		"Records the motion of a :yref:`VibratingBoxEngine` and of the centre of mass of particles, as often as :yref:`PeriodicEngine` is told to "
+			"(iterPeriod), in lists that grow together. It goes into O.engines after "
+		":yref:`NewtonIntegrator`: positions and velocities are then those in the middle of the step, in which the leap-frog has both to second "
+			"order; times are to match. The lists are saved with the scene; without particles the centre of mass stays zero.",
 		((shared_ptr<VibratingBoxEngine>, box, , , "The box."))
 		((std::vector<int>, particles, , , "Ids of the particles; bodies that are not there raise ValueError."))
 		((std::vector<Real>, times, , , "Simulated time [s]."))
@@ -26,7 +28,8 @@ private:
 		((std::vector<Vector3r>, boxVelocity, , , "[m/s]"))
 		((std::vector<Vector3r>, centroidPosition, , , "Centre of mass of the particles in the scene's axes [m]."))
 		((std::vector<Vector3r>, centroidVelocity, , , "[m/s]"))
-		((std::vector<Vector3r>, contactForce, , , "Force of the contacts on the box [N]: its mean since the record before, so that no blow is missed."))
+		((std::vector<Vector3r>, contactForce, , , "Force of the contacts on the box [N]: its mean since the record before, so that no blow is "
+			"missed."))
 		((Vector3r, lastImpulse, Vector3r::Zero(), Attr::hidden, "The box's contactImpulse at the record before [N s]."))
 		((Real, lastTime, NaN, Attr::hidden, "Time of the record before [s]; NaN: there is none."))
 	);

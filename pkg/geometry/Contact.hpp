@@ -1,7 +1,8 @@
 // What every contact solver returns, and the contract of its signs:
 //   the normal is a unit vector from body 1 to body 2; overlap = (surface1 - surface2).normal, positive when the bodies
 //   penetrate. Moved along the normal by less than the overlap, body 2 still overlaps body 1; moved by the overlap, the two are
-//   parted at X0, and elsewhere but for a rest that vanishes in proportion to the overlap where surfaces curve. Between flat faces at a tilt the deeper edge may
+// parted at X0, and elsewhere but for a rest that vanishes in proportion to the overlap where surfaces curve. Between flat faces at a tilt the deeper
+// edge may
 //   stay behind by a part of the overlap (docs/accuracy.md has the figures).
 // With r from centre 1 to centre 2, t* = min over x of max(g1, g2) is the common scaling at which the bodies touch: they
 // overlap when t* < 1. Every verdict is proved:

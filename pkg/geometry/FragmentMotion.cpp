@@ -34,7 +34,8 @@ namespace {
 		{
 		}
 
-		// The pieces' own places, `spread` times as far out, but inside the parent. Moving in those that are not shifts the centre of mass, and moving that back
+		// The pieces' own places, `spread` times as far out, but inside the parent. Moving in those that are not shifts the centre of mass, and
+		// moving that back
 		// may bring others out, by less each time; what is left at the end is taken by moving all inwards alike.
 		void place(double spread, double reach, double margin)
 		{

@@ -99,10 +99,14 @@ namespace {
 			return shape_.halfSizes().cwiseProduct(Vector3(s * x, s * y, z));
 		}
 
-		// The distance between the shape's surface and the tessellation is at most this. A point x of the body outside the tessellation has its nearest
-		// point there on a face, and then lies over it by the face's excess at most; or on the edge of two faces, and then its direction from there is
-		// within half their angle of one of the normals, so that x is no farther away than excess / cos(half the angle). It cannot be a corner: x would
-		// have to rise over the surface's own tangent plane there, as no face around it is turned from it by a right angle (in each octant all normals'
+		// The distance between the shape's surface and the tessellation is at most this. A point x of the body outside the tessellation has its
+		// nearest
+		// point there on a face, and then lies over it by the face's excess at most; or on the edge of two faces, and then its direction from there
+		// is
+		// within half their angle of one of the normals, so that x is no farther away than excess / cos(half the angle). It cannot be a corner: x
+		// would
+		// have to rise over the surface's own tangent plane there, as no face around it is turned from it by a right angle (in each octant all
+		// normals'
 		// components have one sign). The other way round, a point of a face reaches the surface along the face's normal within the excess.
 		double distance() const
 		{
@@ -173,11 +177,13 @@ namespace {
 	{
 		if (points <= tolerances::tessellationPoints) return;
 		std::ostringstream message;
-		message << "error must be larger: " << error << " m takes " << points << " points, of which " << tolerances::tessellationPoints << " are allowed";
+		message << "error must be larger: " << error << " m takes " << points << " points, of which " << tolerances::tessellationPoints <<
+			" are allowed";
 		throw std::invalid_argument(message.str());
 	}
 
-	// The coarsest grid that is fine enough: the two families of chords share the error, so the search starts at half of it. The distance falls with the
+	// The coarsest grid that is fine enough: the two families of chords share the error, so the search starts at half of it. The distance falls with
+	// the
 	// chords' errors almost in proportion.
 	OctantGrid coarsestGrid(const GridFamily& family, double error)
 	{

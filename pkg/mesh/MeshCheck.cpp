@@ -147,7 +147,7 @@ namespace {
 	{
 		cgal::SurfaceMesh surface;
 		pmp::polygon_soup_to_polygon_mesh(cgal::pointsOf(mesh), mesh.triangles, surface);
-		if (!pmp::does_bound_a_volume(surface)) findings.note({ "closed surface whose parts face opposite ways", 1, {} });
+		if (!pmp::does_bound_a_volume(surface)) findings.note({ "closed surface whose parts do not bound a volume together (turn round the inner shells, or the parts that face the other way)", 1, {} });
 		return pmp::volume(surface) > 0 ? Facing::outward : Facing::inward;
 	}
 

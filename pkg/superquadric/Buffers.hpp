@@ -6,7 +6,6 @@
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
-#include <type_traits>
 #include <vector>
 
 namespace yade {

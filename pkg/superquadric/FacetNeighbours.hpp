@@ -16,7 +16,7 @@ superquadric::MeshFacet meshFacet(const Facet& facet, const State& state, Body::
 
 class FacetNeighbours {
 public:
-	// Looks for them when the scene has other bodies than last time, or `again`. With MPI facets come and go with the particles of this process, in
+	// Looks for them when the scene has other bodies than last time, or `again`. Where bodies have been removed, and with MPI, facets may come and go in
 	// places that are kept for them: then the facets are looked through once a step. May be called by all threads at once.
 	void find(const Scene& scene, bool again = false);
 

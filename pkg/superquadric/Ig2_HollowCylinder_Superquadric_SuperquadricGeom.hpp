@@ -17,7 +17,8 @@ public:
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_HollowCylinder_Superquadric_SuperquadricGeom, IGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`HollowCylinder` and a :yref:`Superquadric`, whose deepest point is its farthest "
 		"from the axis, eq. (4)."
-		, , , .def("counters", &Ig2_HollowCylinder_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or resetCounters was called, all threads together.")
+		, , , .def("counters", &Ig2_HollowCylinder_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was "
+			"made or resetCounters was called, all threads together.")
 		.def("resetCounters", &Ig2_HollowCylinder_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
 	);
 	// clang-format on

@@ -17,7 +17,8 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Sphere_Superquadric_SuperquadricGeom, IGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`Sphere`, taken as the superquadric with n1 = n2 = 2, and a :yref:`Superquadric`."
-		, , , .def("counters", &Ig2_Sphere_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or resetCounters was called, all threads together.")
+		, , , .def("counters", &Ig2_Sphere_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or "
+			"resetCounters was called, all threads together.")
 		.def("resetCounters", &Ig2_Sphere_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
 	);
 	// clang-format on

@@ -23,7 +23,8 @@ public:
 		"Creates/updates a :yref:`SuperquadricGeom` of two :yref:`superquadrics<Superquadric>`, eqs. (2)-(5). Every answer is proved by a point "
 		"inside both or by a plane between them; a pair that is apart keeps that plane in a parked geometry, which settles most later steps at "
 		"once. The counts tell how; the entry uncertified must stay 0."
-		, , , .def("counters", &Ig2_Superquadric_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or resetCounters was called, all threads together.")
+		, , , .def("counters", &Ig2_Superquadric_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was "
+			"made or resetCounters was called, all threads together.")
 		.def("resetCounters", &Ig2_Superquadric_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
 	);
 	// clang-format on

@@ -17,10 +17,12 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Wall_Superquadric_SuperquadricGeom, IGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`Wall` and a :yref:`Superquadric`, whose contact point is the wall's point "
-		"deepest in the particle, drawn towards the particle's middle as far as the depth allows: it moves continuously when a flat face comes to lie on the wall. With "
+		"deepest in the particle, drawn towards the particle's middle as far as the depth allows: it moves continuously when a flat face comes to "
+			"lie on the wall. With "
 		":yref:`sense<Wall.sense>` 0 the wall pushes to the side on which the particle's centre is, else to the side named; there a contact can "
 		"begin only when the centre is on that side."
-		, , , .def("counters", &Ig2_Wall_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or resetCounters was called, all threads together.")
+		, , , .def("counters", &Ig2_Wall_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or "
+			"resetCounters was called, all threads together.")
 		.def("resetCounters", &Ig2_Wall_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
 	);
 	// clang-format on

@@ -47,7 +47,8 @@ private:
 		"$n_1, n_2\\gg 2$ a block. Refused values raise ValueError naming the parameter and the value; the shape then stays as it was.\n\n"
 		"Points and directions given to the methods are in the frame of the body, from its centre.\n\n"
 		".. [Wang2018] Wang & Ji, Acta Phys. Sin. 67, 094501 (2018).",
-		((Vector3r, extents, Vector3r::Ones(), Attr::triggerPostLoad, "Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. [defined below]"))
+		((Vector3r, extents, Vector3r::Ones(), Attr::triggerPostLoad, "Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. "
+			"[defined below]"))
 		((Real, n1, 2, Attr::triggerPostLoad, "Exponent along z, within [2, 20]."))
 		((Real, n2, 2, Attr::triggerPostLoad, "Exponent in the x-y plane, within [2, 20]."))
 		, createIndex();,
@@ -69,8 +70,10 @@ private:
 		.def("meanCurvature", &Superquadric::meanCurvature, (boost::python::arg("point")),
 			"Mean curvature [1/m], eq. (10), positive: where the ray from the centre through the point leaves the body. ValueError for the centre.")
 		.def("tessellation", &Superquadric::tessellation, (boost::python::arg("error")),
-			"Closed convex surface of triangles, inscribed, whose largest distance from the surface is at most `error` [m]: (points, normals, triangles, error). "
-			"The first three are bytes, row after row: N x 3 float64 [m], N x 3 float64, M x 3 int32 (indices of points, counterclockwise from outside); the "
+			"Closed convex surface of triangles, inscribed, whose largest distance from the surface is at most `error` [m]: (points, normals, "
+				"triangles, error). "
+			"The first three are bytes, row after row: N x 3 float64 [m], N x 3 float64, M x 3 int32 (indices of points, counterclockwise from "
+				"outside); the "
 			"last is the bound that holds [m]. ValueError for an error that is not positive, or too small for a million points. "
 			"The function `tessellation` of the package gives arrays.")
 	);

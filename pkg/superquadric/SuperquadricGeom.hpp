@@ -52,18 +52,23 @@ private:
 		"with the surface points X1 and X2, contactPoint = (X1+X2)/2 and penetrationDepth = (X1-X2).normal. refR1 and refR2 are the smallest "
 		"half sizes (a wall takes the particle's). A pair that does not touch may keep such an object, without physics, as the memory of "
 		"the contact solver.",
-		((bool, touching, false, Attr::readonly, "Whether the bodies overlap: then penetrationDepth > 0, else it is negative without further meaning. |yupdate|"))
+		((bool, touching, false, Attr::readonly, "Whether the bodies overlap: then penetrationDepth > 0, else it is negative without further "
+			"meaning. |yupdate|"))
 		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 at X1, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
 		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 at X2, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
-		((Real, sectionRadius1, 0, Attr::readonly, "Radius of body 1's middle section across the normal, sqrt(a b c/h) with its half thickness h = (X1-centre).normal; 0 for a wall [m]. |yupdate|"))
-		((Real, sectionRadius2, 0, Attr::readonly, "Radius of body 2's middle section across the normal, sqrt(a b c/h) with its half thickness h = (centre-X2).normal; 0 for a wall [m]. |yupdate|"))
+		((Real, sectionRadius1, 0, Attr::readonly, "Radius of body 1's middle section across the normal, sqrt(a b c/h) with its half thickness h = "
+			"(X1-centre).normal; 0 for a wall [m]. |yupdate|"))
+		((Real, sectionRadius2, 0, Attr::readonly, "Radius of body 2's middle section across the normal, sqrt(a b c/h) with its half thickness h = "
+			"(centre-X2).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
 		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
-		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1, or of the particle at a wall: point from its centre [m] or unit direction. |yupdate|"))
+		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1, or of the "
+			"particle at a wall: point from its centre [m] or unit direction. |yupdate|"))
 		((Vector3r, warmSeenBy2, Vector3r::Zero(), Attr::readonly, "The same in the frame of body 2. |yupdate|"))
 		((bool, warmInBothFrames, false, Attr::readonly, "Whether warmSeenBy2 is known. |yupdate|"))
-		((Vector3r, warmDrift, Vector3r::Zero(), Attr::readonly, "Of a point: how far it moved in the last step beyond what the bodies carried it, in the frame of body 1 [m]. |yupdate|"))
+		((Vector3r, warmDrift, Vector3r::Zero(), Attr::readonly, "Of a point: how far it moved in the last step beyond what the bodies carried it, "
+			"in the frame of body 1 [m]. |yupdate|"))
 		((Real, warmSupports, 0, Attr::readonly, "Of a direction: the sum of the supports that proved it [m]. |yupdate|"))
 		((long, warmShapes, 0, Attr::readonly, "Of a direction: fingerprint of the shapes that it was proved for. |yupdate|"))
 		, createIndex();

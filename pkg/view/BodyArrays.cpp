@@ -8,6 +8,7 @@
 #include <pkg/common/Wall.hpp>
 #include <pkg/dem/ScGeom.hpp>
 #include <pkg/geometry/ParticleStress.hpp>
+#include <pkg/superquadric/Buffers.hpp>
 #include <pkg/superquadric/Checks.hpp>
 #include <pkg/superquadric/HollowCylinder.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
@@ -21,13 +22,8 @@ namespace yade {
 YADE_PLUGIN((BodyArrays));
 
 namespace {
-	static_assert(sizeof(Real) == sizeof(double) && sizeof(rows::Particle) == 33 * 8 && sizeof(rows::Contact) == 18 * 8 && sizeof(rows::Border) == 18 * 8);
-
-	template <class Row> boost::python::object tableBytes(const std::vector<Row>& table)
-	{
-		return boost::python::object(boost::python::handle<>(
-		        PyBytes_FromStringAndSize(reinterpret_cast<const char*>(table.data()), Py_ssize_t(table.size() * sizeof(Row)))));
-	}
+	static_assert(sizeof(Real) == sizeof(double) && sizeof(rows::Particle) == 33 * 8);
+	static_assert(sizeof(rows::Contact) == 18 * 8 && sizeof(rows::Border) == 18 * 8);
 
 	template <class Vector> void put(const Vector& from, double* to) { std::copy(from.data(), from.data() + from.size(), to); }
 
@@ -191,7 +187,7 @@ boost::python::object BodyArrays::particles(const boost::python::object& ids) co
 			add(*(*scene.bodies)[*id]);
 		}
 	}
-	return tableBytes(table);
+	return bytesOf(table);
 }
 
 boost::python::object BodyArrays::contacts() const
@@ -200,7 +196,7 @@ boost::python::object BodyArrays::contacts() const
 	std::vector<rows::Contact> table;
 	for (const Touch& touch : realContacts(scene))
 		table.push_back(contactRow(touch, scene));
-	return tableBytes(table);
+	return bytesOf(table);
 }
 
 boost::python::object BodyArrays::container() const
@@ -215,7 +211,7 @@ boost::python::object BodyArrays::container() const
 		put(body->state->ori.coeffs(), row.orientation);
 		table.push_back(row);
 	}
-	return tableBytes(table);
+	return bytesOf(table);
 }
 
 } // namespace yade

@@ -93,7 +93,8 @@ namespace {
 		}
 	}
 
-	// Directions that light falls on: the triangles' normals, weighted by their areas. Those of the surface itself, which already turn where a flat face
+	// Directions that light falls on: the triangles' normals, weighted by their areas. Those of the surface itself, which already turn where a flat
+	// face
 	// ends, would shade the whole of it.
 	std::vector<Vector3r> shadingNormals(const superquadric::Tessellation& mesh)
 	{
@@ -119,15 +120,21 @@ namespace {
 		return result;
 	}
 
-	// Made once for each look. Bodies that break have no end of shapes: the collection then begins anew.
+	// Made once for each look. Bodies that break have no end of shapes: when the drawings take too much memory the collection begins anew.
 	const Drawing& keptDrawingOf(const Look& look)
 	{
-		constexpr std::size_t most = 20000;
+		constexpr std::size_t most = 1 << 28; // bytes
 		static std::map<Look, Drawing> drawings;
+		static std::size_t bytes = 0;
 		const auto found = drawings.find(look);
 		if (found != drawings.end()) return found->second;
-		if (drawings.size() >= most) drawings.clear();
-		return drawings.emplace(look, drawingOf(look)).first->second;
+		if (bytes >= most) {
+			drawings.clear();
+			bytes = 0;
+		}
+		const Drawing& made = drawings.emplace(look, drawingOf(look)).first->second;
+		bytes += made.points.size() * sizeof(made.points[0]) + made.indices.size() * sizeof(made.indices[0]);
+		return made;
 	}
 
 	// The light that a body sends out by itself, in the two shades of Gl1_Sphere's stripes.

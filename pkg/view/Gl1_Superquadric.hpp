@@ -12,9 +12,11 @@ public:
 	RENDERS(Superquadric);
 	// clang-format off
 	YADE_CLASS_BASE_DOC_STATICATTRS(Gl1_Superquadric, GlShapeFunctor,
-		"Renders :yref:`Superquadric`: smooth, as finely as the body is large on the screen. Bodies of the same proportions and exponents share what is "
+		"Renders :yref:`Superquadric`: smooth, as finely as the body is large on the screen. Bodies of the same proportions and exponents share what "
+			"is "
 		"drawn, so that thousands of them stay interactive.",
-		((Real, quality, 1,, "Fineness: the surface is drawn with an error of about a pixel divided by this, the wireframe of four. Twice as much takes "
+		((Real, quality, 1,, "Fineness: the surface is drawn with an error of about a pixel divided by this, the wireframe of four. Twice as much "
+			"takes "
 			"twice the triangles; must be positive."))
 		((bool, wire, false,, "Only show wireframe."))
 		((bool, stripes, false,, "In non-wire rendering, make every second octant brighter, so that the rotation of round bodies shows (as "

@@ -116,8 +116,8 @@ TEST(MeshCheck, PointInWhichTwoPartsMeet)
 
 TEST(MeshCheck, PartsThatFaceOppositeWays)
 {
-	expectComplaint(together(unitCube(), turned(cubeAt(2))), "parts face opposite ways");
-	expectComplaint(together(cubeAt(0, 0, 0, 3), cubeAt(1, 1, 1)), "parts face opposite ways"); // the inner one should face the cavity
+	expectComplaint(together(unitCube(), turned(cubeAt(2))), "parts do not bound a volume together");
+	expectComplaint(together(cubeAt(0, 0, 0, 3), cubeAt(1, 1, 1)), "parts do not bound a volume together"); // the inner one should face the cavity
 }
 
 TEST(MeshCheck, AllThatIsWrongIsSaid)
