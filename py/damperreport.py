@@ -2,7 +2,7 @@
 from yade import O
 from yade.wrapper import VibrationRecorder
 
-from . import damperplots, dampermotion, results
+from . import damperplots, dampermotion, drawing, results
 from .damperenergy import account
 from .damperparameters import collisionTime, criticalStep, densityOf, filling, makeMaterial, naturalFrequency, sampleSteps, shapeOf
 from .engines import engine
@@ -15,19 +15,24 @@ STEADY = 0.1   # of the work: what else goes into stored energy, or comes out of
 
 
 def write(run):
-    """Write all results of the `run` (`DamperRun`), the summary last. Returns it."""
+    """Write all results of the `run` (`DamperRun`); the summary, then the pictures. Returns the summary."""
     p, state = run.parameters, run.state
     motion = dampermotion.ofRecorder(engine(VibrationRecorder), p['axis'], state['startTime'], state['restCentroid'])
     measured = dampermotion.lastPeriods(motion, p['periods'], p['samples'])
     content = summary(run, measured)
     results.writeCsv(run.path(RECORD), motion._fields, zip(*motion))
-    if run.pictures:
-        damperplots.spectra(run.path(SPECTRUM), measured, p)
-        damperplots.phasePlanes(run.path(PHASES), measured, p)
-        damperplots.history(run.path(HISTORY), motion, p)
-        damperplots.shares(run.path(ENERGIES), content['energy'], p)
     results.writeJson(run.path(SUMMARY), content)
+    if run.pictures:
+        drawing.attempt(run, 'the motion', lambda: _draw(run, motion, measured, content))
     return content
+
+
+def _draw(run, motion, measured, content):
+    p = run.parameters
+    damperplots.spectra(run.path(SPECTRUM), measured, p)
+    damperplots.phasePlanes(run.path(PHASES), measured, p)
+    damperplots.history(run.path(HISTORY), motion, p)
+    damperplots.shares(run.path(ENERGIES), content['energy'], p)
 
 
 def summary(run, measured):

@@ -4,6 +4,7 @@ import numpy as np
 from yade import O
 
 from . import bodyarrays
+from .wholefile import ReplacingBytes
 
 
 class Frame:
@@ -41,7 +42,8 @@ class Frame:
 
     def save(self, path):
         """Write it as one .npz, for `load`."""
-        np.savez(path, particles=self.particles, contacts=self.contacts, container=self.container, step=self.step, time=self.time)
+        with ReplacingBytes(path) as file:
+            np.savez(file, particles=self.particles, contacts=self.contacts, container=self.container, step=self.step, time=self.time)
 
     @classmethod
     def load(cls, path):

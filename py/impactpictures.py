@@ -1,9 +1,8 @@
 """Pictures of an impact: the force over time, the bed before and after, the force chains at the peak, and an animation (docs/view.md)."""
 import os
-import shutil
 
-from . import plots, render, renderer
-from .film import Film
+from . import drawing, plots, render, renderer, vtkrecorder
+from .film import Film, removeFrames
 from .impact import Pulse
 from .parameters import shapeOf
 
@@ -24,8 +23,8 @@ def film(run):
 
 def removeOld(run):
     """Remove the frames and the series that an earlier run left in the folder."""
-    for folder in (FRAMES, SERIES):
-        shutil.rmtree(run.path(folder), ignore_errors=True)
+    removeFrames(run.path(FRAMES))
+    vtkrecorder.remove(run.path(SERIES))
 
 
 def made(run):
@@ -34,29 +33,25 @@ def made(run):
 
 
 def draw(run):
-    """Draw all pictures of a finished `run`; those of particles only where the packages for it are (`renderer.missing`)."""
+    """Draw all pictures of a finished `run`; those of particles only where the packages for it are (`renderer.missing`). Frames that could not be
+    drawn are kept."""
     p, state = run.parameters, run.state
     pulse = Pulse(**state['pulse'])
     title = f'{len(run.ids)} particles ({_describe(p)}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
-    plots.forcePicture(run.path(FORCE), (run.recorder.column('time'), run.recorder.column('baseForce')), pulse, state['staticForce'],
-                       (state['bare']['times'], state['bare']['forces']), title)
+    record, bare = (run.recorder.column('time'), run.recorder.column('baseForce')), (state['bare']['times'], state['bare']['forces'])
+    drawing.attempt(run, 'the force', lambda: plots.forcePicture(run.path(FORCE), record, pulse, state['staticForce'], bare, title))
     frames = [] if run.film is None else run.film.frames()
-    if frames:
-        try:
-            _drawParticles(run, frames, pulse, title)
-        except RuntimeError as error:  # of the graphics library: the results do not depend on it
-            run.stepper.say(f'no pictures of the particles: {error}')
-    if run.film is not None:
-        run.film.remove()
+    if not len(frames) or drawing.attempt(run, 'the particles', lambda: _drawParticles(run, frames, pulse, title)):
+        removeFrames(run.path(FRAMES))
 
 
 def _drawParticles(run, frames, pulse, title):
     start = run.state['startTime']
     render.picture(run.path(BED), [('before the impact', frames[0]), ('after the impact', frames[-1])], cut=True,
                    title=title + ' (front half taken away)')
-    peak = min(frames, key=lambda frame: abs(frame.time - start - pulse.peakTime))
+    peak = frames[min(range(len(frames)), key=lambda k: abs(frames.times[k] - pulse.peakTime))]
     render.picture(run.path(CHAINS), [('', peak)], chains=True, title=f'Forces at the peak on the base, {1e3 * pulse.peakTime:.2f} ms')
-    shown = [frame for frame in frames if frame.time - start <= pulse.lastTime + AFTERWARDS]
+    shown = frames[:sum(time <= pulse.lastTime + AFTERWARDS for time in frames.times)]
     render.animation(run.path(ANIMATION), shown[::-(-len(shown) // MOST)], cut=True, start=start)
 
 

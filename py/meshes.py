@@ -10,6 +10,7 @@ from . import checks
 from .bodies import rotation
 from .snapshot import Snapshot, matrix
 from .tessellation import tessellation
+from .wholefile import ReplacingBytes
 
 _STL_HEADER = b'yade-superquadric'.ljust(80)
 _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])
@@ -75,7 +76,7 @@ def writeStl(path, surface):
     triangles['corners'] = corners
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     triangles['normal'] = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
-    with open(path, 'wb') as file:
+    with ReplacingBytes(path) as file:
         file.write(_STL_HEADER + np.uint32(len(triangles)).tobytes() + triangles.tobytes())
 
 
@@ -98,9 +99,12 @@ def particlesToStl(path, ids, error):
 
 def _table(name, rows, kind):
     try:
-        table = np.ascontiguousarray(rows, dtype=kind)
-    except (TypeError, ValueError):
+        with np.errstate(invalid='ignore'):
+            table = np.ascontiguousarray(rows, dtype=kind)
+    except (TypeError, ValueError, OverflowError):
         table = np.empty(0)
     if table.ndim != 2 or table.shape[1] != 3:
         raise ValueError(f'{name}: must be rows of three numbers')
+    if kind is np.int32 and not np.array_equal(table, np.asarray(rows)):  # 0.9 would become 0
+        raise ValueError(f'{name}: must be rows of three whole numbers')
     return table

@@ -4,7 +4,7 @@ import numpy as np
 from yade import O
 from yade.wrapper import BreakageEngine
 
-from . import contactstatistics, enclosure, grading, oedometercase, oedometerplots, renderer, results
+from . import contactstatistics, drawing, enclosure, grading, oedometercase, oedometerplots, renderer, results
 from .contactstatistics import Contacts
 from .engines import engine
 from .oedometercase import BEFORE, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, STRESS, SUMMARY, sizesOf
@@ -30,7 +30,7 @@ def contactsNow(ids):
 
 
 def write(run):
-    """Write all results of the `run` (`OedometerRun`), the summary last. Returns it."""
+    """Write all results of the `run` (`OedometerRun`); the summary after the tables, the pictures last. Returns the summary."""
     ids = run.ids
     snapshot, before = Snapshot.ofBodies(ids), Snapshot.load(run.path(BEFORE))
     particles = _particles(ids, snapshot)
@@ -42,12 +42,17 @@ def write(run):
     content = summary(run, particles, snapshot, before)
     results.writeJson(run.path(SUMMARY), content)
     if run.pictures:
-        case = [oedometercase.load(run.output)]
-        for name, draw in zip(PICTURES, (oedometerplots.gradings, oedometerplots.stresses, oedometerplots.contacts)):
-            draw(run.path(name), case)
+        drawing.attempt(run, 'the test', lambda: _drawTables(run))
         if renderer.missing() is None:
-            oedometerplots.specimens(run.path(PICTURES[3]), (('before', before), ('after', snapshot)), run.container)
+            views = (('before', before), ('after', snapshot))
+            drawing.attempt(run, 'the particles', lambda: oedometerplots.specimens(run.path(PICTURES[3]), views, run.container))
     return content
+
+
+def _drawTables(run):
+    case = [oedometercase.load(run.output)]
+    for name, draw in zip(PICTURES, (oedometerplots.gradings, oedometerplots.stresses, oedometerplots.contacts)):
+        draw(run.path(name), case)
 
 
 def _particles(ids, snapshot):

@@ -1,6 +1,8 @@
 """Pictures with matplotlib, without a display: the force over time."""
 import numpy as np
 
+from .wholefile import ReplacingBytes
+
 
 def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
     """Force on the base over time, as PNG.
@@ -42,4 +44,5 @@ def _figure(width, height):
 
 
 def _save(figure, path):
-    figure.savefig(path, dpi=150, metadata={'Software': None})
+    with ReplacingBytes(path) as file:
+        figure.savefig(file, format='png', dpi=150, metadata={'Software': None})

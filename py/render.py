@@ -4,30 +4,34 @@
     sq.animation('impact.gif', sq.RecordedSeries('vtk'), chains=True)
 """
 import os
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
 from . import checks
 from .frame import Frame
 from .renderer import Renderer
-from .renderpieces import COLOURS, Style, camera, pieces
+from .renderpieces import COLOURS, Style, camera, hasScale, pieces
 from .snapshot import Snapshot
+from .wholefile import ReplacingBytes, requireFolder
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
+LOWEST = 50            # pixels of a view's width and height
+RATES = 0.01, 50       # frames a second: a GIF counts hundredths of a second, and viewers slow down what lasts only one
 FOOT = 0.07            # room for the scale below a view, over its height
 
 
-def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=1100):
+def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=-90.0, title='', width=1100):
     """A PNG of one view or several side by side, in the same scale and colours.
 
-    :param views: a `Frame` or `Snapshot`, or a list of (caption, such)
+    :param views: a `Frame` or `Snapshot`, or a list of such or of (caption, such)
     :param colour: of the particles: 'plain', 'kind' (shape), 'speed', 'force' (largest normal force), 'pressure', 'octahedralStress', 'contacts';
         None: not drawn
     :param chains: normal forces as tubes between centres, whose section grows with the force; particles are translucent then
     :param cut: take the half towards the viewer away
-    :param limits: (lowest, highest) of the colours; None: from the views; chainLimit: the force [N] of the thickest tubes, None: from the views
-    :param elevation, azimuth: of the viewer above the horizontal and around z, from -y [degrees]
+    :param limits: (lowest, highest) of the colours, which stand for numbers then; None: from the views; chainLimit: the force [N] of the thickest tubes, None: from the views
+    :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [degrees]; -90: from -y
     :param width: of a view in pixels
     :raises ValueError: a value out of range; ImportError: a package is missing; RuntimeError: drawing failed
     """
@@ -38,30 +42,32 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
     with Renderer() as renderer:
         images = [renderer.draw(pieces(frame, style, eye, size), eye, size) for frame in frames]
     figure = _compose(images, captions, style, title, eye, DPI)
-    figure.savefig(path, dpi=DPI, metadata={'Software': None})
+    with ReplacingBytes(path) as file:
+        figure.savefig(file, format='png', dpi=DPI, metadata={'Software': None})
 
 
-def animation(path, frames, colour='speed', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=0.0, title='', width=480,
+def animation(path, frames, colour='speed', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=-90.0, title='', width=480,
               rate=12.0, start=None):
-    """A GIF of `frames` (a sequence of `Frame`, a `RecordedSeries` for example), all in the same scale and colours; the caption is the time.
+    """A GIF of `frames`, all in the same scale and colours; the caption is the time.
 
-    :param rate: frames a second
+    :param frames: a sequence of `Frame` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for example, no more than
+        one is in memory; it is read twice
+    :param rate: frames a second, at most 50; the GIF rounds what each lasts to hundredths of a second (12: 0.08 s)
     :param start: the moment [s] from which the time counts; None: the first frame's
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
     """
     _checkPath(path, '.gif')
-    frames, rate = list(frames), checks.positive('rate', rate)
-    if not frames:
-        raise ValueError('frames = []: there is nothing to show')
-    style = _style(frames, colour, chains, cut, limits, chainLimit)
-    eye, size = _eye(frames, style, elevation, azimuth, width)
-    start, pictures = frames[0].time if start is None else start, []
+    rate, frames = checks.within('rate', rate, *RATES), _sequence(frames)
+    style = _style(map(_frame, frames), colour, chains, cut, limits, chainLimit)
+    ends = [_frame(frames[0]), _frame(frames[-1])]
+    eye, size = _eye(ends, style, elevation, azimuth, width)
+    start, images = ends[0].time if start is None else checks.finite('start', start), []
     with Renderer() as renderer:
-        for frame in frames:
+        for frame in map(_frame, frames):
             figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
-            pictures.append(_pixels(figure, DPI // 2))
-    images = [_withPalette(picture, style) for picture in pictures]
-    images[0].save(path, save_all=True, append_images=images[1:], duration=int(1000 / rate), loop=0, optimize=True)
+            images.append(_withPalette(_pixels(figure, DPI // 2), style))
+    with ReplacingBytes(path) as file:
+        images[0].save(file, format='GIF', save_all=True, append_images=images[1:], duration=10 * round(100 / rate), loop=0, optimize=True)
 
 
 def _withPalette(picture, style):
@@ -76,30 +82,67 @@ def _withPalette(picture, style):
 def _views(views):
     """List of (caption, Frame)."""
     if isinstance(views, (Frame, Snapshot)):
-        views = [('', views)]
+        views = [views]
+    try:
+        views = [('', view) if isinstance(view, (Frame, Snapshot)) else tuple(view) for view in views]
+    except TypeError:
+        views = [()]
     if not views:
         raise ValueError('views = []: there is nothing to show')
-    return [(caption, Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view) for caption, view in views]
+    if any(len(view) != 2 or not isinstance(view[0], str) for view in views):
+        raise ValueError('views: must be a Frame or a Snapshot, or a list of such or of (caption, such)')
+    return [(caption, _frame(view)) for caption, view in views]
+
+
+def _frame(view):
+    if not isinstance(view, (Frame, Snapshot)):
+        raise ValueError(f'{view!r}: is no Frame and no Snapshot')
+    return Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view
+
+
+def _sequence(frames):
+    """`frames` as they are if they can be read twice, else as a list."""
+    if isinstance(frames, (Frame, Snapshot)) or not isinstance(frames, Iterable):
+        raise ValueError('frames: must be a sequence of Frame or Snapshot')
+    frames = frames if isinstance(frames, Sequence) else list(frames)
+    if not len(frames):
+        raise ValueError('frames = []: there is nothing to show')
+    return frames
 
 
 def _style(frames, colour, chains, cut, limits, chainLimit):
     checks.oneOf('colour', colour, (*COLOURS, None))
-    if limits is not None and not checks.finite('limits[0]', limits[0]) < checks.finite('limits[1]', limits[1]):
-        raise ValueError(f'limits = {limits!r}: the first must be below the second')
+    if limits is not None:
+        limits = _limits(limits, colour)
     return Style.of(frames, colour, checks.boolean('chains', chains), checks.boolean('cut', cut), limits,
                     None if chainLimit is None else checks.positive('chainLimit', chainLimit))
 
 
+def _limits(limits, colour):
+    if not hasScale(colour):
+        raise ValueError(f'limits = {limits!r}: colour = {colour!r} stands for no numbers')
+    try:
+        low, high = limits
+    except (TypeError, ValueError):
+        raise ValueError(f'limits = {limits!r}: must be two numbers') from None
+    low, high = checks.finite('limits[0]', low), checks.finite('limits[1]', high)
+    if not low < high:
+        raise ValueError(f'limits = {limits!r}: the first must be below the second')
+    return low, high
+
+
 def _eye(frames, style, elevation, azimuth, width):
     """Camera that sees all `frames`, and the size of the picture."""
-    width = checks.wholeNumber('width', width, 50)
+    width = checks.wholeNumber('width', width, LOWEST)
     eye, shape = camera(frames, style, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
-    return eye, (width, int(np.clip(round(width * shape), 50, 4 * width)))
+    height = int(np.clip(round(width * shape), LOWEST, 4 * width))
+    return {**eye, 'height': max(eye['height'], eye['height'] / shape * height / width)}, (width, height)  # a flat scene keeps its sides
 
 
 def _checkPath(path, ending):
     if os.path.splitext(os.fspath(path))[1].lower() != ending:
         raise ValueError(f'path = {path!r}: must end in {ending}')
+    requireFolder(path)
 
 
 def _clock(seconds):

@@ -5,16 +5,18 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from contextlib import suppress
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'renderprocess.py')
 SCREEN = ('Xvfb', '-screen', '0', '64x64x24', '-nolisten', 'tcp', '-noreset')
-HINT = 'install python3-pyvista, python3-pil, xvfb and libgl1-mesa-dri, or start with tools/env --with view'
+GRACE = 10  # s that a process has to end, before it is made to
+HINT = 'install python3-pyvista, python3-pil, xvfb, util-linux and libgl1-mesa-dri, or start with tools/env --with view'
 
 
 def missing():
     """What there is not, but is needed for drawing, in one sentence; None where all is there."""
     from importlib.util import find_spec
-    lacking = [name for name, found in (('pyvista', find_spec('pyvista')), ('PIL', find_spec('PIL')), ('Xvfb', shutil.which('Xvfb'))) if not found]
+    lacking = [name for name in ('pyvista', 'PIL') if not find_spec(name)] + [name for name in ('Xvfb', 'setpriv') if not shutil.which(name)]
     return f'pictures of particles need {", ".join(lacking)}: {HINT}' if lacking else None
 
 
@@ -31,29 +33,48 @@ class Renderer:
         problem = missing()
         if problem:
             raise ImportError(problem)
+        self._screen = self._process = None
         self._errors = tempfile.TemporaryFile()
+        try:
+            self._start(self._openScreen())
+        except BaseException:  # Ctrl-C too: nothing stays behind
+            self.__exit__()
+            raise
+        return self
+
+    def _openScreen(self):
+        """Start the X server; its display's number."""
         reading, writing = os.pipe()
-        # It ends with this process however that ends, and Ctrl-C is for this process alone.
-        self._screen = subprocess.Popen(['setpriv', '--pdeathsig', 'KILL', *SCREEN, '-displayfd', str(writing)], pass_fds=(writing,),
-                                        start_new_session=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors)
-        os.close(writing)
         with os.fdopen(reading) as answer:
+            try:
+                # It ends with this process however that ends, and Ctrl-C is for this process alone.
+                self._screen = subprocess.Popen(['setpriv', '--pdeathsig', 'KILL', *SCREEN, '-displayfd', str(writing)], pass_fds=(writing,),
+                                                start_new_session=True, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=self._errors)
+            finally:
+                os.close(writing)
             number = answer.readline().strip()
         if not number:
             self._fail('Xvfb did not start')
+        return number
+
+    def _start(self, number):
+        """Start the drawing process on the display of that number."""
         environment = {**os.environ, 'DISPLAY': f':{number}', 'LIBGL_ALWAYS_SOFTWARE': '1'}
         for name in ('WAYLAND_DISPLAY', 'PYTHONPATH', 'XAUTHORITY'):
             environment.pop(name, None)
         # -P: this folder's modules are no modules of that process.
         self._process = subprocess.Popen([sys.executable, '-P', PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._errors,
                                          env=environment, start_new_session=True)
-        return self
 
     def __exit__(self, *_):
-        for process in (getattr(self, '_process', None), self._screen):
+        for process in (self._process, self._screen):
             if process is not None:
                 process.terminate()
-                process.wait()
+                _wait(process)
+        if self._process is not None:
+            self._process.stdout.close()
+            with suppress(BrokenPipeError):  # half a job may still stand in its buffer
+                self._process.stdin.close()
         self._errors.close()
 
     def draw(self, pieces, camera, size, background='white'):
@@ -70,9 +91,18 @@ class Renderer:
             self._process.stdin.flush()
             return pickle.load(self._process.stdout)
         except (EOFError, BrokenPipeError, pickle.UnpicklingError):
-            self._process.wait()
+            _wait(self._process)
             self._fail(f'the drawing process ended with status {self._process.returncode}')
 
     def _fail(self, what):
         self._errors.seek(0)
         raise RuntimeError(f'{what}: {self._errors.read().decode(errors="replace")[-2000:]}')
+
+
+def _wait(process):
+    """Until the process, which is about to end, has ended; one that does not is killed."""
+    try:
+        process.wait(GRACE)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()

@@ -31,6 +31,11 @@ COLOURS = {
 CHAIN_LABEL = 'normal force of contacts [N]'
 
 
+def hasScale(colour):
+    """Whether the colour stands for numbers."""
+    return colour is not None and COLOURS[colour] is not None
+
+
 class Style:
     """How frames are coloured: all of one picture or animation alike.
 
@@ -44,15 +49,22 @@ class Style:
 
     @classmethod
     def of(cls, frames, colour, chains, cut, limits, chainLimit):
-        if colour is not None and COLOURS[colour] is not None and limits is None:
-            values = np.concatenate([COLOURS[colour][1] * COLOURS[colour][2](frame) for frame in frames])
+        """The style of `frames`, each of which is looked at once."""
+        values, strongest, sizes, kinds, boxes = [], [], [], np.zeros((0, 4)), []
+        for frame in frames:
+            if limits is None and hasScale(colour):
+                values.append(COLOURS[colour][1] * COLOURS[colour][2](frame))
+            strongest.append(_quantile(frame.normalForces(), TOP_SHARE))
+            if len(frame.particles):
+                sizes.append(np.median(frame.particles['extents'].min(axis=1)))
+            kinds = np.unique(np.concatenate([kinds, _shapes(frame)]), axis=0)
+            boxes.append(_particleBox(frame))
+        if values:
+            values = np.concatenate(values)
             limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
         if chains and chainLimit is None:
-            chainLimit = max(_quantile(frame.normalForces(), TOP_SHARE) for frame in frames)
-        sizes = [np.median(frame.particles['extents'].min(axis=1)) for frame in frames if len(frame.particles)]
-        kinds = np.unique(np.concatenate([_shapes(frame) for frame in frames]), axis=0)
-        boxes = np.array([_particleBox(frame) for frame in frames])
-        box = np.array([boxes[:, 0].min(axis=0), boxes[:, 1].max(axis=0)])
+            chainLimit = max(strongest)
+        box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
         return cls(colour, chains, cut, limits, chainLimit, THICKEST * min(sizes, default=0.0), kinds, box)
 
     def bars(self):
@@ -70,8 +82,9 @@ class Style:
         if self.colour == 'plain':
             return _bytes(np.tile(MIST, (len(frame.particles), 1)) if self.chains else _plain(frame.particles))
         if self.colour == 'kind':
-            own = _shapes(frame)
-            return _bytes(KINDS[[int(np.flatnonzero((self.kinds == shape).all(axis=1))[0]) % len(KINDS) for shape in own]].reshape(-1, 3))
+            # All kinds are in both lists, so their places are those in `kinds`.
+            _, places = np.unique(np.concatenate([self.kinds, _shapes(frame)]), axis=0, return_inverse=True)
+            return _bytes(KINDS[places.ravel()[len(self.kinds):] % len(KINDS)])
         mappable, _ = self.bars()[0]
         label, factor, values = COLOURS[self.colour]
         return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
@@ -135,11 +148,14 @@ def _chains(frame, style, plane):
 
 
 def camera(frames, style, elevation, azimuth):
-    """Camera (see `Renderer.draw`) that sees all `frames`, and height over width of its picture. Angles [rad]."""
-    direction = np.array([np.sin(azimuth) * np.cos(elevation), np.cos(azimuth) * np.cos(elevation), -np.sin(elevation)])
-    right = np.array([np.cos(azimuth), -np.sin(azimuth), 0])
+    """Camera (see `Renderer.draw`) that sees all between the `frames`, the first one and the last, and height over width of its picture.
+
+    :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [rad]
+    """
+    direction = -np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
     up = np.cross(right, direction)
-    corners = np.concatenate([_boxCorners(style.box), *(_container(frame, style).points for frame in (frames[0], frames[-1]))])
+    corners = np.concatenate([_boxCorners(style.box), *(_container(frame, style).points for frame in frames)])
     plane = _cutPlane(style, frames[0], direction)
     if plane is not None:  # what is cut away is not looked at
         corners = corners - np.minimum((corners - plane[0]) @ plane[1], 0)[:, None] * plane[1]
@@ -159,7 +175,7 @@ def _particleBox(frame):
 
 
 def _container(frame, style):
-    """`Surface` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
+    """`Triangles` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
     rows, (low, high) = frame.container.copy(), style.box[:, 2]
     for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(frame.particles) else ():
         border = rows[row]

@@ -1,7 +1,7 @@
 """The results of a finished run: summary and time series."""
 from yade import O
 
-from . import finishedbed, impactpictures, results
+from . import film, finishedbed, impactpictures, results
 from .impact import surfaceSpeed
 from .engines import criticalTimeStep
 from .parameters import shapeOf
@@ -11,13 +11,16 @@ SUMMARY, RECORD, BEFORE, AFTER = FILES = ('summary.json', 'force.csv', finishedb
 
 
 def write(run):
-    """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before. Returns the summary."""
+    """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before; pictures last, as the results do not depend on them. Returns
+    the summary."""
     after = Snapshot.ofBodies(run.ids)
     after.save(run.path(AFTER))
     content = summary(run)
+    results.writeJson(run.path(SUMMARY), content)
     if run.pictures:
         impactpictures.draw(run)
-    results.writeJson(run.path(SUMMARY), content)
+    else:
+        film.removeFrames(run.path(impactpictures.FRAMES))
     return content
 
 

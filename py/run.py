@@ -50,7 +50,8 @@ class ImpactRun(BedRun):
     @classmethod
     def inFolder(cls, output, state, files=None, stream=sys.stderr):
         """See `StagedRun.inFolder`."""
-        run = super().inFolder(output, state, files, stream)
+        own = {name: value for name, value in state.items() if name != 'vtk'}  # whether there is a series is the impact's, not its bed's
+        run = super().inFolder(output, own, files, stream)
         impactpictures.removeOld(run)
         return run
 

@@ -16,10 +16,14 @@ SCENE = 5  # what lies farther behind or before the aim than so many of its radi
 def openView(size=(800, 800)):
     """YADE's 3D view, a `yade.qt.GLViewer` of `size` (width, height) in pixels; the one that is open already, or a new one.
 
-    ImportError where YADE was started without a display.
+    :raises ValueError: a bad size; ImportError: YADE was started without a display
     """
+    try:
+        width, height = size
+    except (TypeError, ValueError):
+        raise ValueError(f'size = {size!r}: must be (width, height)') from None
+    width, height = checks.wholeNumber('size[0]', width, 1), checks.wholeNumber('size[1]', height, 1)
     from yade import qt
-    width, height = (checks.wholeNumber(f'size[{i}]', pixels, 1) for i, pixels in enumerate(size))
     view = qt.views()[0] if qt.views() else qt.View()
     view.screenSize = width, height
     return view
@@ -28,7 +32,8 @@ def openView(size=(800, 800)):
 def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
     """Turn the camera to the sphere about `center` [m] of `radius` [m], and fit it into the window.
 
-    :param azimuth: where the camera stands, about z from the x axis [degrees]; :param elevation: how far above the horizontal [degrees]
+    :param azimuth, elevation: where the camera stands, as in `picture`: around z from +x, counterclockwise seen from above, and above the horizontal
+        [degrees]
     """
     center, radius = checks.vector('center', center), checks.positive('radius', radius)
     around, up = math.radians(checks.finite('azimuth', azimuth)), math.radians(checks.within('elevation', elevation, -90, 90))

@@ -1,5 +1,7 @@
 """A recorded series (`vtkRecorder`) read back as frames, for pictures and for measures."""
 import os
+from collections.abc import Sequence
+from copy import copy
 
 import numpy as np
 
@@ -8,10 +10,10 @@ from .frame import Frame
 from .vtkseries import Series
 
 
-class RecordedSeries:
-    """The series in `folder`: a sequence of `Frame`, each read when it is asked for, in the single precision of the files.
+class RecordedSeries(Sequence):
+    """The series in `folder`: a sequence of `Frame`, each read when it is asked for, in the single precision of the files. A slice is such a series.
 
-    :raises ValueError: there is none, or a file is missing or damaged
+    :raises ValueError: there is none, or a file is missing, damaged or another program's
     """
 
     def __init__(self, folder):
@@ -26,17 +28,24 @@ class RecordedSeries:
 
     def __getitem__(self, place):
         if isinstance(place, slice):
-            return [self[i] for i in range(*place.indices(len(self)))]
+            part = copy(self)
+            part.moments = self.moments[place]
+            return part
         moment = self.moments[place]
-        return Frame(_particles(vtkfiles.read(self._path(moment.file))), self._optional('contacts', _contacts, moment.step),
+        return Frame(self._read(moment.file, _particles), self._optional('contacts', _contacts, moment.step),
                      self._optional('container', _container, moment.step), moment.step, moment.time)
 
-    def _path(self, file):
-        return os.path.join(self.folder, file)
+    def _read(self, file, convert):
+        path = os.path.join(self.folder, file)
+        data = vtkfiles.read(path)
+        try:
+            return convert(data)
+        except (AttributeError, KeyError, ValueError) as error:
+            raise ValueError(f'{path}: is another program\'s, or of another version ({type(error).__name__}: {error})') from None
 
     def _optional(self, name, convert, step):
         file = self._files[name].get(step)
-        return None if file is None else convert(vtkfiles.read(self._path(file)))
+        return None if file is None else self._read(file, convert)
 
 
 def _particles(data):

@@ -1,6 +1,8 @@
 """A recorder for ParaView: an engine that writes the scene as compressed .vtp files with a .pvd time series (docs/view.md)."""
 import os
+from contextlib import suppress
 
+from yade import O
 from yade.wrapper import PyRunner
 
 from . import bodyarrays, checks, vtkfiles
@@ -8,6 +10,7 @@ from .frame import Frame
 from .surfaces import DETAIL
 from .vtkseries import Series
 
+SERIES = ('particles', 'surfaces', 'contacts', 'container')
 PERIODS = ('iterPeriod', 'virtPeriod', 'realPeriod')
 
 
@@ -27,7 +30,7 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     :param surfaces, contacts, container: whether to write them; very large beds do without surfaces, ParaView draws the points as glyphs
     :param detail: of surfaces: largest distance between a particle's surface and its triangles, over its largest half size
     :param normals: write the surfaces' normals: they look smoother, and the files are twice as large
-    :param ids: only these bodies, and the contacts that they have a part in; None: all
+    :param ids: only these bodies, and the contacts that they have a part in; None: all. Those that have broken or were erased are left out
     :param initRun: also write the first step
     :param label: of the engine
     :raises ValueError: a value out of range; ImportError: VTK's Python modules are missing; OSError: the folder cannot be written to
@@ -36,7 +39,7 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     what = {name: checks.boolean(name, value) for name, value in (
         ('surfaces', surfaces), ('contacts', contacts), ('container', container), ('normals', normals))}
     what['detail'] = checks.above('detail', detail, 0, 1)
-    what['ids'] = None if ids is None else [checks.wholeNumber('ids', i, 0) for i in ids]
+    what['ids'] = ids = None if ids is None else _checkIds(ids)
     if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder)):
         raise ValueError(f'folder = {folder!r}: must be the path of a folder')
     bodyarrays.particles(ids)  # they are there
@@ -51,12 +54,30 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
 
 def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
-    frame = Frame.ofScene(ids)
-    series = [('particles', True, lambda: vtkfiles.particleData(frame)), ('surfaces', surfaces, lambda: vtkfiles.surfaceData(frame, detail, normals)),
-              ('contacts', contacts, lambda: vtkfiles.contactData(frame)), ('container', container, lambda: vtkfiles.containerData(frame))]
-    for name, wanted, make in series:
+    frame = Frame.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
+    kinds = [(True, lambda: vtkfiles.particleData(frame)), (surfaces, lambda: vtkfiles.surfaceData(frame, detail, normals)),
+             (contacts, lambda: vtkfiles.contactData(frame)), (container, lambda: vtkfiles.containerData(frame))]
+    for name, (wanted, make) in zip(SERIES, kinds):
         if wanted:
             Series(folder, name).append(frame.step, frame.time, lambda path, make=make: vtkfiles.write(path, make()))
+
+
+def remove(folder):
+    """Remove the series that `vtkRecorder` wrote into the folder, and the folder if nothing else is in it."""
+    for name in SERIES:
+        Series(folder, name).remove()
+    with suppress(OSError):  # it is not there, or something else is in it
+        os.rmdir(folder)
+
+
+def _checkIds(ids):
+    try:
+        numbers = None if isinstance(ids, (str, bytes)) else list(ids)
+    except TypeError:
+        numbers = None
+    if numbers is None:
+        raise ValueError(f'ids = {ids!r}: must be numbers of bodies')
+    return [checks.wholeNumber('ids', i, 0) for i in numbers]
 
 
 def _checkPeriods(iterPeriod, virtPeriod, realPeriod):

@@ -1,6 +1,8 @@
 """A time series of files for ParaView: NAME.pvd in a folder, and the files of its moments in the folder NAME beside it."""
 import os
+import re
 from collections import namedtuple
+from contextlib import suppress
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
@@ -31,7 +33,7 @@ class Series:
         try:
             return [Entry(_step(node.attrib['file']), float(node.attrib['timestep']), node.attrib['file'])
                     for node in ElementTree.parse(self.path).iter('DataSet')]
-        except (ElementTree.ParseError, KeyError, ValueError) as error:
+        except (ElementTree.ParseError, KeyError, IndexError, ValueError) as error:
             raise ValueError(f'{self.path}: is damaged, or another program\'s ({error}); remove it to begin anew') from None
 
     def append(self, step, time, write):
@@ -49,6 +51,18 @@ class Series:
                     os.remove(os.path.join(self.folder, entry.file))
         write(os.path.join(self.folder, file))
         self._write([*kept, Entry(step, time, file)])
+
+    def remove(self):
+        """Remove the files of the series, and its folder of moments if nothing else is in it."""
+        moments = os.path.join(self.folder, self.name)
+        for name in os.listdir(moments) if os.path.isdir(moments) else ():
+            if re.fullmatch(rf'{re.escape(self.name)}\.\d{{10,}}\.vtp(\.part)?', name):
+                os.remove(os.path.join(moments, name))
+        for path in (self.path, f'{self.path}.part'):
+            if os.path.exists(path):
+                os.remove(path)
+        with suppress(OSError):  # it is not there, or something else is in it
+            os.rmdir(moments)
 
     def _write(self, entries):
         with Replacing(self.path) as file:

@@ -41,6 +41,8 @@ def start(options, values):
     """The run, begun, or taken up where it was interrupted, and its folder."""
     if options.bed and options.bedOnly:
         raise ValueError(f'bedOnly: the bed in {options.bed!r} is finished; there is nothing to do')
+    if options.vtk and options.bedOnly:
+        raise ValueError('vtk: the series is of the impact; not together with bedOnly')
     table, description = fromTable()
     output = options.output or os.path.join('results', description)
     stream = None if options.quiet else sys.stderr
@@ -60,6 +62,8 @@ def main():
         run, output = start(options, given(options, PARAMETERS))
         run.pictures = not options.noPictures
         run.state['vtk'] = options.vtk or run.state.get('vtk', False)
+        if run.state['vtk']:  # resumed, perhaps elsewhere
+            vtkfiles.requireVtk()
     except (ImportError, OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)
         return BAD_INPUT

@@ -9,7 +9,7 @@ measured, and how, is told in docs/oedometer.md.
 import os
 import sys
 
-from yade.superquadric import Interrupted, commandline, oedometercomparison
+from yade.superquadric import Interrupted, commandline, oedometercomparison, renderer
 from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED, parametersOf
 from yade.superquadric.oedometer import OedometerRun
 from yade.superquadric.oedometerparameters import PARAMETERS
@@ -63,7 +63,8 @@ def single(options, stream):
 def comparison(options, stream):
     """Several tests on one bed."""
     modes = oedometercomparison.modesOf(options.modes)
-    print(oedometercomparison.text(oedometercomparison.compare(modes, parametersOf(options, PARAMETERS), options.output, stream, not options.noPictures)))
+    summaries = oedometercomparison.compare(modes, parametersOf(options, PARAMETERS), options.output, stream, not options.noPictures)
+    print(oedometercomparison.text(summaries))
     print(f'results    {options.output}/{oedometercomparison.TABLE}, and a folder for each mode')
 
 

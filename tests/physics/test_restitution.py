@@ -7,7 +7,7 @@ import math
 
 import pytest
 from yade import O, utils
-from yade.wrapper import CurvatureMat, Sphere
+from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from yade import O
 from yade.minieigenHP import Vector3
-from yade.wrapper import BreakageEngine, Superquadric
+from yade.wrapper import BreakageEngine
 
 import yade.superquadric as sq
 

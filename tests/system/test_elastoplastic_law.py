@@ -8,7 +8,7 @@ import sys
 import pytest
 from yade import O, utils
 from yade.minieigenHP import Vector3
-from yade.wrapper import CurvatureMat, ElastoplasticMat, ElastoplasticPhys, HollowCylinder, InsertionSortCollider, InteractionLoop
+from yade.wrapper import CurvatureMat, ElastoplasticMat, ElastoplasticPhys, InsertionSortCollider, InteractionLoop
 
 import yade.superquadric as sq
 

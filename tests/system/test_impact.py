@@ -1,4 +1,5 @@
 """The impact study as a whole, on a small bed: forces in balance, same seed same record, stop and resume."""
+import io
 import math
 import os
 import signal
@@ -12,7 +13,7 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import report, results, sealed
+from yade.superquadric import plots, render, report, results, sealed
 from yade.superquadric.parameters import checked
 from yade.superquadric.impact import supportForce, surfaceSpeed
 
@@ -259,8 +260,40 @@ def test_newRunInAFolderRemovesTheOldResults(tmp_path):
     (tmp_path / 'mine.txt').write_text('mine')
     for folder in ('vtk', 'frames'):
         (tmp_path / folder).mkdir()
+    (tmp_path / 'frames' / '000001.npz').write_text('old')
     sq.ImpactRun.begin({**SMALL, 'particles': 3}, str(tmp_path), stream=None)
     assert os.listdir(tmp_path) == ['mine.txt']
+    (tmp_path / 'frames').mkdir()
+    for name in ('000002.npz', '000003.npz.part', 'mine.npz'):
+        (tmp_path / 'frames' / name).write_text('old')
+    sq.ImpactRun.begin({**SMALL, 'particles': 3}, str(tmp_path), stream=None)
+    assert os.listdir(tmp_path / 'frames') == ['mine.npz'], 'only what a run writes goes'
+
+
+def test_failedPicturesCostNoResults(tmp_path, monkeypatch):
+    """Frames are kept then, until the next run in the folder; without pictures none are left."""
+    def fail(*_, **__):
+        raise OSError('the disk is full')
+    monkeypatch.setattr(render, 'picture', fail)
+    monkeypatch.setattr(plots, 'forcePicture', fail)
+    said = io.StringIO()
+    job = sq.ImpactRun.begin({**SMALL, 'particles': 20}, str(tmp_path), stream=said)
+    summary = job.run()
+    assert results.readJson(str(tmp_path / 'summary.json')) == summary and len(os.listdir(tmp_path / 'frames')) > 20
+    assert 'no pictures of the particles: the disk is full' in said.getvalue() and 'no pictures of the force' in said.getvalue()
+    job.pictures = False
+    job.state['stage'] = 'report'
+    job.run()
+    assert not (tmp_path / 'frames').exists()
+
+
+def test_aSeriesBelongsToTheImpact(tmp_path):
+    """Not to the bed."""
+    done = script(tmp_path / 'bed', '--bedOnly', '--vtk')
+    message = done.communicate(timeout=100)[1]
+    assert done.returncode == 2 and 'vtk: the series is of the impact' in message and not (tmp_path / 'bed').exists()
+    run = sq.ImpactRun.inFolder(str(tmp_path), {'parameters': checked(SMALL), 'vtk': True}, stream=None)
+    assert 'vtk' not in run.state
 
 
 def test_aFinishedBedIsNotPouredAgain(tmp_path):

@@ -143,6 +143,12 @@ def test_particlesStayInTheHopper(tmp_path):
     assert whole * 0.998 < inside.value <= inside.high <= whole * (1 + 1e-12)  # but for what is pressed into the walls
 
 
+@pytest.mark.parametrize('triangles', ([[0.9, 1, 2]], [[0, 1, float('nan')]], [[0, 1, 2 ** 40]], np.array([[0, 1, 2 ** 32]])))
+def test_placesOfPointsAreWholeNumbers(triangles):
+    with pytest.raises(ValueError, match='triangles: must be rows of three'):
+        sq.Surface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles)
+
+
 def test_particlesToStl(tmp_path):
     material = newScene()
     rng = random.Random(4)

@@ -3,18 +3,21 @@ import json
 import math
 import os
 import signal
+import subprocess
+import sys
 
 import pytest
 from yade import O
 from yade.minieigenHP import Quaternion
 from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat
 import yade.superquadric as sq
-from yade.superquadric import oedometercase, oedometercomparison, oedometerreport, results
+from yade.superquadric import oedometercase, oedometercomparison, oedometerplots, oedometerreport, results
 from yade.superquadric.engines import engine, minHalfSize
 from yade.superquadric.oedometer import OedometerRun
 
-SMALL = dict(particles=25, width=0.09, young=2e7, characteristicStrength=3e4, maxStress=8e4, seatingStress=1e3, maxStrain=0.2, strainRate=3,
-             inertialNumber=0.05, sampleStrain=2e-3, settlingTime=0.5)
+from smalloedometer import SMALL
+
+PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 
 def run(folder, **changes):
@@ -44,6 +47,33 @@ def test_resultsAreComplete(small):
     assert len(record['strain']) > 20 and all(abs(step - 2e-3) < 1e-3 for step in record['strain'][1:] - record['strain'][:-1])
     assert record['particles'][-1] == summary['particles']['number'] and record['events'][-1] == summary['particles']['broken']
     assert 'conserved' in oedometerreport.text(summary) and not list(oedometerreport.warnings({**summary, 'quasiStatic': None}))
+
+
+def script(output, **options):
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'oedometer.py'), '--output', str(output), '--quiet']
+    texts = [text for name, value in {**SMALL, **options}.items() for text in (f'--{name}', str(value))]
+    return subprocess.run([*command, *texts], capture_output=True, text=True, timeout=100)
+
+
+def test_theScriptFromEndToEnd(tmp_path):
+    done = script(tmp_path, maxStrain=0.02)
+    assert done.returncode == 0, done.stderr
+    results = [line for line in done.stdout.splitlines() if line.startswith('results')]
+    assert len(results) == 1 and all(name in results[0] for name in ('summary.json', 'grading.png', 'stress.png', 'contacts.png'))
+
+
+def test_theScriptSaysInOneLineWhatIsWrong(tmp_path):
+    done = script(tmp_path / 'new', particles=0)
+    assert done.returncode == 2 and 'oedometer.py: particles = 0' in done.stderr and 'Traceback' not in done.stderr
+
+
+def test_failedPicturesCostNoResults(tmp_path, monkeypatch):
+    def fail(*_, **__):
+        raise OSError('the disk is full')
+    for name in ('gradings', 'specimens'):
+        monkeypatch.setattr(oedometerplots, name, fail)
+    summary = run(tmp_path, maxStrain=0.02).run()
+    assert results.readJson(str(tmp_path / 'summary.json')) == json.loads(json.dumps(summary)) and not OedometerRun.isInterrupted(str(tmp_path))
 
 
 def test_whatBreaksIsConserved(small):

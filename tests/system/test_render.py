@@ -1,5 +1,7 @@
 """Pictures: what is on them, where and in which colour; animations; bad input. Colours are told apart, not measured: the light is on them."""
 import os
+import weakref
+from collections.abc import Sequence
 
 import numpy as np
 import pytest
@@ -169,7 +171,11 @@ def test_animationOfARecordedSeries(tmp_path):
 
 
 @pytest.mark.parametrize('arguments, words', [
-    (dict(colour='mood'), "colour = 'mood'"), (dict(limits=(2, 1)), r'limits = \(2, 1\)'), (dict(chains='yes'), "chains = 'yes'"),
+    (dict(colour='mood'), "colour = 'mood'"), (dict(colour='speed', limits=(2, 1)), r'limits = \(2, 1\)'), (dict(chains='yes'), "chains = 'yes'"),
+    (dict(colour='speed', limits=5), 'limits = 5: must be two'), (dict(limits=(0, 1)), "limits = .*: colour = 'plain' stands for no"),
+    (dict(colour=None, limits=(0, 1)), 'colour = None stands for no'), (dict(views=[7]), 'views: must be'),
+    (dict(views=[('a', 7)]), '7: is no Frame'),
+    (dict(views=7), 'views: must be'), (dict(path='nowhere/bed.png'), 'there is no folder .*nowhere'),
     (dict(width=3), 'width = 3'), (dict(elevation=100), 'elevation = 100'), (dict(chainLimit=-1), 'chainLimit = -1'),
     (dict(path='bed.jpg'), 'bed.jpg')])
 def test_badInput(tmp_path, arguments, words):
@@ -185,6 +191,74 @@ def test_nothingToShow(tmp_path):
             draw()
 
 
+def test_animationsOfOtherThingsThanFrames(tmp_path):
+    ball(0)
+    path = str(tmp_path / 'bed.gif')
+    for frames in (sq.Frame.ofScene(), 5, [5]):
+        with pytest.raises(ValueError, match='Frame'):
+            sq.animation(path, frames)
+    for rate in (0, 51, float('nan')):
+        with pytest.raises(ValueError, match='rate = '):
+            sq.animation(path, [sq.Frame.ofScene()], rate=rate)
+    assert not os.listdir(tmp_path)
+
+
+def test_listsOfFramesAndSnapshots(tmp_path, drawing, monkeypatch):
+    ball(0)
+    frame, snapshot = sq.Frame.ofScene(), sq.Snapshot.ofBodies([0])
+    sq.picture(str(tmp_path / 'bed.png'), [frame, snapshot], width=100)
+    sq.animation(str(tmp_path / 'bed.gif'), (view for view in (frame, snapshot)), width=100)
+    assert sorted(os.listdir(tmp_path)) == ['bed.gif', 'bed.png'], 'and nothing half written'
+
+
+class Watched(Sequence):
+    """A sequence that counts how many of its frames are in memory at once."""
+
+    def __init__(self, number):
+        self.number, self.alive, self.most = number, weakref.WeakSet(), 0
+
+    def __len__(self):
+        return self.number
+
+    def __getitem__(self, place):
+        if not -self.number <= place < self.number:
+            raise IndexError(place)
+        frame = sq.Frame.ofScene()
+        self.alive.add(frame)
+        self.most = max(self.most, len(self.alive))
+        return frame
+
+
+def test_anAnimationHoldsFewFrames(tmp_path):
+    ball(0)
+    frames = Watched(12)
+    sq.animation(str(tmp_path / 'bed.gif'), frames, width=60)
+    assert frames.most <= 4, 'the first, the last, the one that is drawn and the next'
+
+
+def test_aFlatSceneKeepsItsSides(seen):
+    """Its height is raised to the least number of pixels; what is at its ends is still in the picture."""
+    for k in range(41):
+        ball(0.1 * (k - 20) * 0.5)
+    image, pixel = seen(elevation=0)
+    assert image.shape[:2] == (50, 300)
+    columns = np.flatnonzero(image.min(axis=(0, 2)) < 250)
+    assert columns[0] < 10 and columns[-1] > 289, 'all of its width is shown'
+    assert image.shape[1] - 1 - columns[-1] > 0 and columns[0] > 0, 'nothing is cut off'
+
+
+def test_azimuthCountsFromXCounterclockwise(seen):
+    """Seen from +x (0 degrees) what is at +y is on the right; from -y (-90), what is at +x is."""
+    for azimuth, place in ((0, (0, 0.02)), (-90, (0.02, 0)), (90, (-0.02, 0))):
+        O.reset()
+        ball(*place), cube(-place[0], -place[1])
+        image, _ = seen(colour='kind', azimuth=azimuth, elevation=10)
+        middle, half = image.shape[0] // 2, image.shape[1] // 2
+        sides = [part[(part.min(axis=2) < 200)].mean(axis=0) for part in (image[:, :half], image[:, half:])]
+        kinds = [nearest(side, *renderpieces.KINDS[:2]) for side in sides]
+        assert kinds == [1, 0], f'the sphere, the first kind, is on the right from {azimuth}'
+
+
 def test_anEmptySceneIsWhite(seen):
     assert seen()[0].min() == 255
 
@@ -193,8 +267,16 @@ def test_missingPackagesAreNamed(tmp_path, monkeypatch):
     ball(0)
     monkeypatch.setattr(renderer.shutil, 'which', lambda name: None)
     assert 'Xvfb' in renderer.missing()
-    with pytest.raises(ImportError, match='need Xvfb: install'):
+    with pytest.raises(ImportError, match='need Xvfb, setpriv: install'):
         sq.picture(str(tmp_path / 'bed.png'), sq.Frame.ofScene())
+
+
+def test_aFailedStartLeavesNothingBehind(monkeypatch):
+    monkeypatch.setattr(renderer.sys, 'executable', '/nowhere/python')
+    process = renderer.Renderer()
+    with pytest.raises(OSError):
+        process.__enter__()
+    assert process._screen.returncode is not None and process._errors.closed
 
 
 def test_aCrashedDrawingProcessIsAnError(tmp_path, monkeypatch):

@@ -17,9 +17,9 @@ from yade.superquadric.study.oedometers import OEDOMETERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
+from smalloedometer import SMALL
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-SMALL = dict(particles=25, width=0.09, young=2e7, characteristicStrength=3e4, maxStress=8e4, seatingStress=1e3, maxStrain=0.2, strainRate=3,
-             inertialNumber=0.05, sampleStrain=2e-3, settlingTime=0.5)
 FIGURES = ('gradings', 'stresses', 'contacts')
 STUDY = {'experiment': 'oedometer', 'title': 'Few soft particles', 'base': SMALL, 'seeds': [1, 2], 'groups': {'modes': {
     'x': {'maxStress': [8e4]}, 'series': {'cube': {'mode': 'cube'}, 'none': {'mode': 'none'}},

@@ -1,6 +1,8 @@
 """YADE's 3D view under an X server in memory: each body is drawn with its colour, size, shape and orientation, smooth and as wire, and the
 container lets one see in. Skipped where there is no xvfb (`tools/env --with view`)."""
+import os
 import shutil
+import signal
 import subprocess
 from math import gamma
 from pathlib import Path
@@ -19,8 +21,14 @@ pytestmark = pytest.mark.skipif(not shutil.which('xvfb-run'), reason='no xvfb-ru
 def pictures(tmp_path_factory):
     path = tmp_path_factory.mktemp('view') / 'pictures.npz'
     command = ['xvfb-run', '-a', 'yade', '-x', str(Path(__file__).with_name('viewscene.py')), str(path)]
-    run = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120, text=True)
-    assert run.returncode == 0 and path.exists(), run.stdout
+    run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
+    try:
+        said, _ = run.communicate(timeout=120)
+    finally:
+        if run.poll() is None:  # the X server and YADE too
+            os.killpg(run.pid, signal.SIGKILL)
+            run.communicate()
+    assert run.returncode == 0 and path.exists(), said
     with numpy.load(path) as file:
         return {name: content if name == 'boxes' else Picture(content) for name, content in file.items()}
 

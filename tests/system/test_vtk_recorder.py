@@ -245,7 +245,8 @@ def test_readersFindCompleteFilesOnly(tmp_path):
     (dict(), 'iterPeriod = None'), (dict(iterPeriod=0), 'iterPeriod = 0'), (dict(iterPeriod=2.5), 'iterPeriod = 2.5'),
     (dict(virtPeriod=-1), 'virtPeriod = -1'), (dict(virtPeriod='x'), "virtPeriod = 'x'"), (dict(realPeriod=float('nan')), 'realPeriod = nan'),
     (dict(iterPeriod=1, surfaces='yes'), "surfaces = 'yes'"), (dict(iterPeriod=1, detail=0), 'detail = 0'),
-    (dict(iterPeriod=1, detail=1.5), 'detail = 1.5'), (dict(iterPeriod=1, ids=[0, 99]), 'got 99'), (dict(iterPeriod=1, folder=''), "folder = ''"),
+    (dict(iterPeriod=1, detail=1.5), 'detail = 1.5'), (dict(iterPeriod=1, ids=[0, 99]), 'got 99'), (dict(iterPeriod=1, ids=5), 'ids = 5'),
+    (dict(iterPeriod=1, ids='0'), "ids = '0'"), (dict(iterPeriod=1, folder=''), "folder = ''"),
     (dict(iterPeriod=1, folder=7), 'folder = 7')])
 def test_badInput(tmp_path, arguments, words):
     O.reset()
@@ -254,6 +255,51 @@ def test_badInput(tmp_path, arguments, words):
     with pytest.raises(ValueError, match=words.replace('(', r'\(')):
         sq.vtkRecorder(**{'folder': str(target), **arguments})
     assert not target.exists()
+
+
+def test_chosenParticlesMayGo(tmp_path):
+    """As when they break: the rest is recorded."""
+    scene(1)
+    chosen = [body.id for body in particleBodies()][:3]
+    O.engines = O.engines + [sq.vtkRecorder(str(tmp_path), iterPeriod=1, ids=(i for i in chosen))]
+    O.step()
+    assert list(last(tmp_path, 'particles')['id']) == chosen
+    O.bodies.erase(chosen[1])
+    O.step()
+    assert list(last(tmp_path, 'particles')['id']) == [chosen[0], chosen[2]]
+    O.bodies.erase(chosen[0]), O.bodies.erase(chosen[2])
+    O.step()
+    assert last(tmp_path, 'particles').n_points == 0
+
+
+def test_removingASeriesLeavesWhatIsNotIts(tmp_path):
+    folder = tmp_path / 'vtk'
+    scene(1, folder=str(folder), iterPeriod=1)
+    for name in ('mine.txt', 'surfaces/surfaces.vtp'):
+        (folder / name).write_text('mine')
+    vtkrecorder.remove(str(folder))
+    assert sorted(os.listdir(folder)) == ['mine.txt', 'surfaces'] and os.listdir(folder / 'surfaces') == ['surfaces.vtp']
+    (folder / 'mine.txt').unlink(), (folder / 'surfaces' / 'surfaces.vtp').unlink()
+    vtkrecorder.remove(str(folder))
+    assert not folder.exists()
+    vtkrecorder.remove(str(folder))
+
+
+def test_seriesOfOtherProgramsAreRefused(tmp_path):
+    scene(1, folder=str(tmp_path), iterPeriod=1)
+    file = tmp_path / Series(str(tmp_path), 'particles').entries()[0].file
+    pyvista.Sphere().save(str(file))
+    with pytest.raises(ValueError, match="another program's"):
+        RecordedSeries(str(tmp_path))[0]
+    (tmp_path / 'particles.pvd').write_text('<VTKFile><Collection><DataSet timestep="0" file="moment"/></Collection></VTKFile>')
+    with pytest.raises(ValueError, match="particles.pvd: is damaged, or another program's"):
+        RecordedSeries(str(tmp_path))
+
+
+def test_aSliceOfASeriesIsReadWhenItIsAskedFor(recorded):
+    series = RecordedSeries(str(recorded))
+    part = series[1::2]
+    assert isinstance(part, RecordedSeries) and [frame.step for frame in part] == [series[1].step, series[3].step] and len(series) == 5
 
 
 def test_damagedSeriesIsRefused(tmp_path):

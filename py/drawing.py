@@ -1,0 +1,11 @@
+"""Pictures at the end of a run, which its results do not depend on."""
+
+
+def attempt(run, what, draw):
+    """Call `draw()`; whether it went well. What a missing package, the graphics library or the disk have against it is told on the run's stream."""
+    try:
+        draw()
+    except (ImportError, OSError, RuntimeError) as error:
+        run.stepper.say(f'no pictures of {what}: {error}')
+        return False
+    return True
