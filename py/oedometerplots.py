@@ -7,6 +7,16 @@ from .study.style import COLOURS, newFigure, outerLegend, save
 
 FORCE_EDGES = np.linspace(0, 5, 41)     # bins of a particle's mean contact force, over the mean
 RELATIVE_LOWEST = 0.02                  # of a fragment's size over its ancestor's, in the picture
+LABELS = {   # of axes: name of the panel: keywords of Axes.set
+    'strains': dict(xlabel='axial strain [%]', ylabel='axial stress (dotted: lateral) [MPa]'),
+    'voids': dict(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio'),
+    'particles': dict(xlabel='axial strain [%]', ylabel='particles', ylim=(0, None)),
+    'specimen': dict(xscale='log', xlabel='d [mm]', ylabel='mass finer [%]', title='specimen'),
+    'fragments': dict(xscale='log', xlabel='size of fragment/size of first particle', xlim=(RELATIVE_LOWEST, 1.05), title='fragments'),
+    'numbers': dict(xlabel='contacts of a particle', ylabel='share of the particles'),
+    'forces': dict(xlabel='mean contact force of a particle/mean', ylabel='probability density', yscale='log'),
+}
+SIDES = ('all particles', 'without rattlers (none or one contact)')
 NAMES = {'cube': 'cube', 'balls4': '4 balls', 'balls18': '18 balls', 'none': 'no breakage'}
 
 
@@ -24,8 +34,8 @@ def gradings(path, cases):
         if case.relative is not None:
             _curve(relative, case.relative, 1, color=colour, lw=1.4, label=_name(case))
     lowest = min(case.after.size(1e-3) for case in cases)
-    whole.set(xscale='log', xlabel='d [mm]', ylabel='mass finer [%]', xlim=(1e3 * lowest, None), title='specimen')
-    relative.set(xscale='log', xlabel='size of fragment/size of first particle', xlim=(RELATIVE_LOWEST, 1.05), title='fragments')
+    whole.set(**LABELS['specimen'], xlim=(1e3 * lowest, None))
+    relative.set(**LABELS['fragments'])
     plainTicks(whole)
     plainTicks(relative)
     outerLegend(figure, (whole,))
@@ -54,10 +64,10 @@ def stresses(path, cases):
         strainPanel.plot(100 * record['strain'], 1e-6 * record['lateralStress'], color=colour, lw=0.8, ls=':')
         voidPanel.plot(1e-6 * record['plateStress'], record['voidRatio'], color=colour, lw=1.4)
         numberPanel.plot(100 * record['strain'], record['particles'], color=colour, lw=1.4)
-    strainPanel.set(xlabel='axial strain [%]', ylabel='axial stress (dotted: lateral) [MPa]')
+    strainPanel.set(**LABELS['strains'])
     low = min(case.stress['plateStress'].min() for case in cases)
-    voidPanel.set(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio', xlim=(1e-6 * max(low, 1e4), None))
-    numberPanel.set(xlabel='axial strain [%]', ylabel='particles', ylim=(0, None))
+    voidPanel.set(**LABELS['voids'], xlim=(1e-6 * max(low, 1e4), None))
+    numberPanel.set(**LABELS['particles'])
     plainTicks(voidPanel)
     outerLegend(figure, (strainPanel,))
     save(figure, path)
@@ -73,9 +83,9 @@ def contacts(path, cases):
             panels[0, column].plot(numbers, shares, 'o-', ms=3, color=colour, lw=1, label=_name(case))
             density = contactstatistics.forceDistribution(chosen, FORCE_EDGES)
             panels[1, column].plot(middles, np.where(density > 0, density, np.nan), 'o-', ms=3, color=colour, lw=1)
-    for column, title in enumerate(('all particles', 'without rattlers (none or one contact)')):
-        panels[0, column].set(xlabel='contacts of a particle', ylabel='share of the particles', title=title, xlim=(-0.5, 25.5))
-        panels[1, column].set(xlabel='mean contact force of a particle/mean', ylabel='probability density', yscale='log')
+    for column, title in enumerate(SIDES):
+        panels[0, column].set(**LABELS['numbers'], title=title, xlim=(-0.5, 25.5))
+        panels[1, column].set(**LABELS['forces'])
     outerLegend(figure, (panels[0, 0],))
     save(figure, path)
 

@@ -126,7 +126,8 @@ def _compression(rows, parameters):
     last = rows[-1]
     onset = next((row for row in rows if row['events'] >= ONSET * parameters['particles']), None)
     first = next((row for row in rows if row['events']), None)
-    return {'strain': last['strain'], 'stress': last['plateStress'], 'lateralRatio': last['lateralStress'] / last['plateStress'],
+    ratio = last['lateralStress'] / last['plateStress'] if last['plateStress'] else None  # the bed may have just given way
+    return {'strain': last['strain'], 'stress': last['plateStress'], 'lateralRatio': ratio,
             'voidRatio': {'start': rows[0]['voidRatio'], 'end': last['voidRatio']},
             'stressAtFirstEvent': first and first['plateStress'], 'stressAtOnset': onset and onset['plateStress']}
 
@@ -163,7 +164,7 @@ def text(content):
     return '\n'.join((
         f'bed        {bed["particles"]} particles ({p["shape"]}), {1e3 * bed["height"]:.1f} mm high, packing fraction {bed["packingFraction"]:.3f}',
         f'end        axial stress {1e-6 * compression["stress"]:.3f} MPa, strain {100 * compression["strain"]:.2f} %, lateral ratio '
-        f'{compression["lateralRatio"]:.2f}, void ratio {compression["voidRatio"]["start"]:.3f} to {compression["voidRatio"]["end"]:.3f}',
+        f'{_ratioText(compression["lateralRatio"])}, void ratio {compression["voidRatio"]["start"]:.3f} to {compression["voidRatio"]["end"]:.3f}',
         f'breakage   mode {p["mode"]}: {particles["broken"]} events, {particles["number"]} particles in {particles["generations"]} generations; '
         f'1 % broken at {_megapascals(compression["stressAtOnset"])}',
         f'grading    B_r (Hardin) {curves["hardin"]:.4f}, d50 {1e3 * curves["before"]["d50"]:.2f} to {1e3 * curves["after"]["d50"]:.2f} mm; '
@@ -178,6 +179,10 @@ def text(content):
 
 def _megapascals(stress):
     return 'no stress' if stress is None else f'{1e-6 * stress:.3f} MPa'
+
+
+def _ratioText(ratio):
+    return '-' if ratio is None else f'{ratio:.2f}'
 
 
 def _fractalText(fit):

@@ -30,7 +30,8 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
         None: not drawn
     :param chains: normal forces as tubes between centres, whose section grows with the force; particles are translucent then
     :param cut: take the half towards the viewer away
-    :param limits: (lowest, highest) of the colours, which stand for numbers then; None: from the views; chainLimit: the force [N] of the thickest tubes, None: from the views
+    :param limits: (lowest, highest) of the colours, which stand for numbers then; None: from the views
+    :param chainLimit: the force [N] of the thickest tubes; None: from the views
     :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [degrees]; -90: from -y
     :param width: of a view in pixels
     :raises ValueError: a value out of range; ImportError: a package is missing; RuntimeError: drawing failed

@@ -4,7 +4,7 @@ import os
 import numpy
 
 from .. import contactstatistics, oedometercase
-from ..oedometerplots import FORCE_EDGES, RELATIVE_LOWEST, plainTicks
+from ..oedometerplots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
 from .curves import meanCurve
 from .quantities import xText
 from .style import COLOURS, newFigure, outerLegend
@@ -13,7 +13,6 @@ SAMPLES = 400
 FINEST = 1e-3           # of the mass: below, the axis of sizes ends
 MOST_CONTACTS = 25      # of a particle, on the axis
 RAREST = 1e-3           # probability density at which the axis of forces ends: in a bin less than one particle of 1,000
-SIDES = ('all particles', 'without rattlers (none or one contact)')
 
 
 def drawStresses(data, series, values, panels, records):
@@ -29,9 +28,9 @@ def drawStresses(data, series, values, panels, records):
         highest = [numpy.maximum.accumulate(test['plateStress']) for test in tests]
         at = numpy.geomspace(max(stress[0] for stress in highest), max(stress[-1] for stress in highest), SAMPLES)
         _drawBand(voids, at, [(stress, test['voidRatio']) for stress, test in zip(highest, tests)], colour, 1e-6)
-    strains.set(xlabel='axial strain [%]', ylabel='axial stress (dotted: lateral) [MPa]', ylim=(0, None))
-    voids.set(xscale='log', xlabel='axial stress [MPa]', ylabel='void ratio')
-    numbers.set(xlabel='axial strain [%]', ylabel='particles', ylim=(0, None))
+    strains.set(**LABELS['strains'], ylim=(0, None))
+    voids.set(**LABELS['voids'])
+    numbers.set(**LABELS['particles'])
     plainTicks(voids)
     outerLegend(figure, (strains,))
     return figure
@@ -55,8 +54,8 @@ def drawGradings(data, series, values, panels, records):
         if fragments:
             sizes = numpy.geomspace(RELATIVE_LOWEST, 1, SAMPLES)
             _drawBand(relative, sizes, _finer(fragments, sizes), colour, 1)
-    whole.set(xscale='log', xlabel='d [mm]', ylabel='mass finer [%]', xlim=(1e3 * lowest, 1.05e3 * largest), title='specimen')
-    relative.set(xscale='log', xlabel='size of fragment/size of first particle', xlim=(RELATIVE_LOWEST, 1.05), title='fragments')
+    whole.set(**LABELS['specimen'], xlim=(1e3 * lowest, 1.05e3 * largest))
+    relative.set(**LABELS['fragments'])
     plainTicks(whole)
     plainTicks(relative)
     outerLegend(figure, (whole,))
@@ -75,8 +74,8 @@ def drawContacts(data, series, values, panels, records):
             _drawBand(axes[0, column], numbers, shares, colour, 1, marker='o', ms=3, label=label)
             _drawBand(axes[1, column], middles, densities, colour, 1, RAREST, marker='o', ms=3)
     for column, title in enumerate(SIDES):
-        axes[0, column].set(xlabel='contacts of a particle', ylabel='share of the particles', title=title, ylim=(0, None))
-        axes[1, column].set(xlabel='mean contact force of a particle/mean', ylabel='probability density', yscale='log', ylim=(RAREST, None))
+        axes[0, column].set(**LABELS['numbers'], title=title, ylim=(0, None))
+        axes[1, column].set(**LABELS['forces'], ylim=(RAREST, None))
     outerLegend(figure, (axes[0, 0],))
     return figure
 

@@ -1,8 +1,8 @@
 """What the fuzz tests share: how examples are drawn, counted and kept, which answers are right, and the values to try.
 
 Each test draws examples with hypothesis: always the same few in `make test`, many others in `make fuzz` (FUZZ_EXAMPLES of them for a test of
-weight 1). An example that ends the whole process cannot be reported by it: so each is written to the file named by LAST_EXAMPLE before it is tried, and
-tests/run shows that file when YADE has died.
+weight 1). An example that ends the whole process cannot be reported by it: so each is written to the file named by LAST_EXAMPLE before it is tried,
+and tests/run shows that file when YADE has died.
 """
 import functools
 import math
@@ -61,7 +61,8 @@ def refused(call, *names, also=()):
 # --- values
 
 # A number at all, from tiny to huge; the edges of what is accepted somewhere among them.
-EDGES = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, 20.0, 1.9999999999999998, 20.000000000000004, 5e-324, 2.3e-308, 1e-160, 1e-50, 1e-9, 1e9, 1e50, 1e160, 1.8e308)
+EDGES = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0, 20.0, 1.9999999999999998, 20.000000000000004, 5e-324, 2.3e-308, 1e-160, 1e-50, 1e-9,
+         1e9, 1e50, 1e160, 1.8e308)
 finite = st.one_of(st.sampled_from(EDGES), st.floats(allow_nan=False, allow_infinity=False), st.floats(-25, 25), st.integers(-3, 30))
 number = st.one_of(finite, st.sampled_from((NAN, INF, -INF)))
 size = st.floats(-9, 3).map(lambda power: 10.0 ** power)  # that something may have [m]
@@ -73,7 +74,8 @@ quaternion = st.tuples(*[coordinate] * 4).filter(lambda q: math.hypot(*q) > 1e-3
 unlike = st.one_of(
     st.none(), st.booleans(), st.text(max_size=6), st.binary(max_size=6), st.sampled_from(('1', 'nan', '1e3', 'x' * 5000, 'sphere', 'cube', b'7')),
     st.sampled_from((10 ** 400, -10 ** 400, 2 ** 31, 2 ** 63, Decimal('1.5'), Fraction(1, 3), 1j, object, math.sin, range(3))),
-    st.sampled_from((numpy.float64(0.5), numpy.float32(3), numpy.int64(4), numpy.bool_(True), numpy.array(2.5), numpy.array([1.0, 2, 3]), numpy.array([[1.0]]),
+    st.sampled_from((numpy.float64(0.5), numpy.float32(3), numpy.int64(4), numpy.bool_(True), numpy.array(2.5), numpy.array([1.0, 2, 3]),
+                     numpy.array([[1.0]]),
                      numpy.array(['a']), numpy.float64('nan'), numpy.str_('cube'))),
     st.sampled_from((Vector3(1, 2, 3), Vector3(NAN, 0, 0), Vector2(1, 2), Quaternion(0, 0, 0, 0), Quaternion(NAN, 0, 0, 1), Quaternion(1, 2, 3, 4))),
     st.recursive(number, lambda inner: st.lists(inner, max_size=4), max_leaves=6), st.dictionaries(st.text(max_size=3), number, max_size=3),

@@ -70,7 +70,8 @@ def deepest(first, second):
 @fuzz(weight=3, scale=size, bodies=st.tuples(solid, solid), turns=st.tuples(quaternion, quaternion), towards=direction,
       distance=st.one_of(st.floats(0, 3), st.floats(0.9, 1.1)))
 def test_verdictsHold(scale, bodies, turns, towards, distance):
-    """A contact has a point inside both, and no planes across its normal are farther apart than its overlap; without one no point is found inside both."""
+    """A contact has a point inside both, and no planes across its normal are farther apart than its overlap; without one no point is found inside
+    both."""
     n = Vector3(*towards).normalized()
     contact = pair(scale, bodies, turns, atDistance(distance, n, scale, bodies, turns), 1)
     first, second = O.bodies[0], O.bodies[1]
@@ -126,7 +127,8 @@ def add(kind, numbers, turn, place, velocity, axis):
     O.bodies.append(made)
 
 
-@fuzz(weight=3, bodies=st.lists(body, min_size=1, max_size=6), erased=st.integers(0, 20), steps=st.integers(1, 4), dt=st.sampled_from((1e-12, 1e-6, 1.0, 1e200, 0.0)))
+@fuzz(weight=3, bodies=st.lists(body, min_size=1, max_size=6), erased=st.integers(0, 20), steps=st.integers(1, 4),
+      dt=st.sampled_from((1e-12, 1e-6, 1.0, 1e200, 0.0)))
 def test_anySceneStepsOrRefuses(bodies, erased, steps, dt):
     emptyScene()
     for one in bodies:

@@ -1,4 +1,5 @@
-"""Files that were cut short, overwritten, exchanged or flipped a bit in: a ValueError that names the file or folder, or the same as from the whole file.
+"""Files that were cut short, overwritten, exchanged or flipped a bit in: a ValueError that names the file or folder, or the same as from the whole
+file.
 
 Whatever is damaged, YADE is never handed it (it may die of it) and its present scene stays.
 """
@@ -19,7 +20,8 @@ from yade.superquadric.study import plan as plans, studyfile, table
 from fuzzing import fuzz, refused
 
 SMALL = {'containerDiameter': 0.07, 'particles': 12, 'impactorDiameter': 0.03, 'maxSettlingTime': 0.02, 'maxImpactTime': 1e-3}
-STUDY = {'title': 'Test', 'seeds': [1], 'groups': {'layers': {'x': {'speed': [2, 3]}, 'base': {'thickness': 0.01}, 'series': {'die': {'shape': 'cube'}}}}}
+STUDY = {'title': 'Test', 'seeds': [1], 'groups': {'layers': {
+    'x': {'speed': [2, 3]}, 'base': {'thickness': 0.01}, 'series': {'die': {'shape': 'cube'}}}}}
 WHOLE = {}  # {kind: folder with undamaged files}
 
 

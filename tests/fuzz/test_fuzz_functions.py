@@ -61,7 +61,8 @@ def test_containersOfAnyMaterial(material):
     unchanged(lambda: sq.cylinderContainer(0.1, 0.1, material), also=(IndexError, KeyError, OverflowError, RuntimeError))
 
 
-@fuzz(weight=2, gravity=vector, verletDist=anything, damping=anything, law=st.one_of(st.sampled_from(('curvature', 'elastoplastic')), anything), keep=SEVERAL)
+@fuzz(weight=2, gravity=vector, verletDist=anything, damping=anything,
+      law=st.one_of(st.sampled_from(('curvature', 'elastoplastic')), anything), keep=SEVERAL)
 def test_engines(gravity, verletDist, damping, law, keep):
     scene()
     given = {'gravity': gravity, 'verletDist': verletDist, 'damping': damping, 'law': law}
@@ -86,7 +87,8 @@ def test_particleNumbers(thickness, solidFraction, radius, aspect, n):
     assert no or (isinstance(answer, int) and answer >= 1)
 
 
-@fuzz(weight=2, shapes=st.one_of(st.lists(st.builds(lambda r, a: sq.particleShape('block', r, a), st.floats(1e-3, 2e-2), ratio), max_size=6), anything),
+@fuzz(weight=2,
+      shapes=st.one_of(st.lists(st.builds(lambda r, a: sq.particleShape('block', r, a), st.floats(1e-3, 2e-2), ratio), max_size=6), anything),
       seed=anything, speed=anything, solidFraction=anything, gap=anything, sideways=anything, keep=SEVERAL)
 def test_rain(shapes, seed, speed, solidFraction, gap, sideways, keep):
     material, _ = scene()
@@ -140,8 +142,10 @@ GOOD = {'young': 7e10, 'poisson': 0.3, 'density': 2700, 'yieldStress': 3e8, 'nam
         'hardening': {'referenceRadius': 1e-3, 'm0': 2.6, 'm1': 0.1, 'm2': 0.0, 'exponent': 1.5}}
 
 
-@fuzz(weight=2, change=st.dictionaries(st.sampled_from(KEYS), anything, max_size=2), inner=st.dictionaries(st.sampled_from(HARDENING), anything, max_size=2),
-      missing=st.sampled_from((*KEYS, None, None)), others=st.dictionaries(st.sampled_from(('frictionAngle', 'label', 'density', 'nothing')), anything, max_size=1))
+@fuzz(weight=2, change=st.dictionaries(st.sampled_from(KEYS), anything, max_size=2),
+      inner=st.dictionaries(st.sampled_from(HARDENING), anything, max_size=2),
+      missing=st.sampled_from((*KEYS, None, None)),
+      others=st.dictionaries(st.sampled_from(('frictionAngle', 'label', 'density', 'nothing')), anything, max_size=1))
 def test_materials(change, inner, missing, others):
     given = {**GOOD, 'hardening': {**GOOD['hardening'], **inner}, **change}
     given.pop(missing, None)

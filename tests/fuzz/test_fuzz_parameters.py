@@ -18,7 +18,8 @@ from fuzzing import anything, fuzz, number, refused
 
 LISTS = {'impact': parameters, 'damper': damperparameters, 'oedometer': oedometerparameters}
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-plain = st.recursive(st.one_of(st.none(), st.booleans(), number, st.integers(), st.text(max_size=5), st.sampled_from(('cube', 'sphere', 'peak', 'falls', 'trend'))),
+plain = st.recursive(st.one_of(st.none(), st.booleans(), number, st.integers(), st.text(max_size=5),
+                               st.sampled_from(('cube', 'sphere', 'peak', 'falls', 'trend'))),
                      lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=4), inner, max_size=3)), max_leaves=5)
 
 
@@ -26,7 +27,8 @@ def name(which):
     return st.sampled_from([parameter.name for parameter in LISTS[which].PARAMETERS])
 
 
-values = st.sampled_from(tuple(LISTS)).flatmap(lambda which: st.tuples(st.just(which), st.dictionaries(name(which), st.one_of(anything, number), max_size=3)))
+values = st.sampled_from(tuple(LISTS)).flatmap(
+    lambda which: st.tuples(st.just(which), st.dictionaries(name(which), st.one_of(anything, number), max_size=3)))
 
 
 @fuzz(weight=10, which=values)
@@ -45,7 +47,8 @@ def test_parameters(which):
     assert module.checked(texts) == result
 
 
-@fuzz(weight=2, text=st.one_of(st.binary(max_size=60), plain.map(lambda value: json.dumps(value).encode()), st.sampled_from((b'[' * 3000, b'{"a":' * 2000, b'1' * 5000))))
+@fuzz(weight=2, text=st.one_of(st.binary(max_size=60), plain.map(lambda value: json.dumps(value).encode()),
+                                st.sampled_from((b'[' * 3000, b'{"a":' * 2000, b'1' * 5000))))
 def test_parameterFiles(text):
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, 'parameters.json')

@@ -64,7 +64,7 @@ def test_theScriptFromEndToEnd(tmp_path):
 
 def test_theScriptSaysInOneLineWhatIsWrong(tmp_path):
     done = script(tmp_path / 'new', particles=0)
-    assert done.returncode == 2 and 'oedometer.py: particles = 0' in done.stderr and 'Traceback' not in done.stderr
+    assert done.returncode == 2 and "oedometer.py: particles = '0'" in done.stderr and 'Traceback' not in done.stderr
 
 
 def test_failedPicturesCostNoResults(tmp_path, monkeypatch):
