@@ -1,13 +1,13 @@
 """The command line that all scripts of one run share: where the results go, how an interrupted run goes on, the run's parameters."""
 import argparse
 
-from .parameterlist import addOptions, fromFile, given
+from .parameterlist import fromFile, given
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
 
 def parser(script, description, output, outputHelp=''):
-    """The options that do not belong to the experiment. The script adds its own, and the parameters by `addOptions`.
+    """The options that do not belong to the experiment. The script adds its own, and the parameters by `parameterlist.addOptions`.
 
     :param script: its name, scripts/NAME.py; :param description: its docstring
     :param output: folder for the results by default; :param outputHelp: what to say of it instead of its name

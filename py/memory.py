@@ -1,20 +1,22 @@
-"""Whether as many particles as are asked for fit into the memory: the system would kill the process without a word, hours later perhaps."""
+"""Whether as many particles as are asked for fit into the memory: the system may kill the process without a word, hours later perhaps."""
 import math
 from pathlib import Path
 
-# Of 10^5 cubes with 2.3 contacts and 9.5 candidate pairs each it was 9,600 (docs/scaling.md); deeper beds have a little more of both.
+# Measured: 9,600 a body in a bed of 10^5 cubes with 2.27 contacts each; deeper beds have more contacts.
 BYTES_A_PARTICLE = 11000
 MEMORY = Path('/proc/meminfo')
-GROUP = Path('/sys/fs/cgroup')  # limits of a container, or of a job on a cluster
+GROUPS = Path('/sys/fs/cgroup')  # limits of a container, or of a job on a cluster (control groups, version 2)
+OWN = Path('/proc/self/cgroup')
+RECLAIMABLE = ('inactive_file', 'active_file')  # the page cache: most of it is given back when memory is short
 
 
 def available():
-    """Bytes that this process may still use, as far as the system tells; infinite where it does not."""
-    return min(_ofSystem(), _ofGroup())
+    """Bytes that this process may still use, as far as the system tells; infinite where it does not. Control groups of version 1 are not seen."""
+    return min(_ofSystem(), *map(_ofGroup, _groups()))
 
 
 def check(particles):
-    """ValueError if a bed of so many `particles` does not fit into the available memory."""
+    """ValueError if a bed of so many `particles` would hardly fit into the available memory."""
     needed, left = BYTES_A_PARTICLE * particles, available()
     if needed > left:
         raise ValueError(f'number of particles = {particles}: with their contacts they need about {needed / 1e9:.3g} GB of memory, '
@@ -28,8 +30,20 @@ def _ofSystem():
         return math.inf
 
 
-def _ofGroup():
+def _groups():
+    """The folders of this process's control group and of all above it, each of which may have a limit."""
     try:
-        return int((GROUP / 'memory.max').read_text()) - int((GROUP / 'memory.current').read_text())
-    except (OSError, ValueError):  # none, or its limit is "max"
+        own = next((line[3:].strip('/') for line in OWN.read_text().splitlines() if line.startswith('0::')), '')
+    except OSError:
+        own = ''
+    folder = GROUPS / own
+    return [folder, *(parent for parent in folder.parents if parent.is_relative_to(GROUPS))]
+
+
+def _ofGroup(folder):
+    try:
+        most, used = (int((folder / name).read_text()) for name in ('memory.max', 'memory.current'))
+        parts = dict(line.split() for line in (folder / 'memory.stat').read_text().splitlines())
+        return most - used + sum(int(parts.get(name, 0)) for name in RECLAIMABLE)
+    except (OSError, ValueError):  # there is none, or its limit is "max"
         return math.inf

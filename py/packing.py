@@ -7,6 +7,7 @@ from . import checks
 from .snapshot import Snapshot
 
 ACCURACY = 3e-3
+EMPTY = 1e-12  # of the whole: volume of what half spaces leave of a region, when that is nothing but rounding
 
 Measured = namedtuple('Measured', 'value low high')
 Measured.__doc__ = """A measured number with bounds: the true one lies in [low, high]."""
@@ -33,8 +34,12 @@ def packingFraction(particles, region, accuracy=ACCURACY):
     """Volume of the particles in a region over the region's; parameters as in `solidVolume`.
 
     :returns: `Measured` [-]
+    :raises ValueError: the region is empty
     """
-    return Measured(*(volume / region.volume for volume in solidVolume(particles, region, accuracy)))
+    whole = region.volume
+    if whole <= EMPTY * getattr(region, 'within', region).volume:
+        raise ValueError(f'region = {region!r}: is empty')
+    return Measured(*(volume / whole for volume in solidVolume(particles, region, accuracy)))
 
 
 def _rows(snapshot):

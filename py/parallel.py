@@ -18,14 +18,16 @@ import sys
 import traceback
 from functools import cache
 
-from yade import O
+from yade import O, config
 from yade.minieigenHP import Vector3
-from yade.wrapper import BreakageEngine, InsertionSortCollider, PyRunner, VibratingBoxEngine
+from yade.wrapper import BoundaryController, BreakageEngine, InsertionSortCollider, KinematicEngine, PyRunner, VibratingBoxEngine
 
 from . import checks
 from .engines import engine
 
 WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
+MOVERS = (KinematicEngine, BoundaryController)      # engines that move walls
+SPARED = ('unboundRemoteBodies', 'eraseRemote')     # functions of mpy, see _split
 
 
 @cache
@@ -66,13 +68,17 @@ def run(steps, rebalanceEvery=0):
 
     :param rebalanceEvery: bodies change to the rank whose domain they have moved into at every so many runs of the collider; 0: never.
         mpy's median filter, which also evens out the numbers of bodies
-    :raises ValueError: the scene cannot be cut (rank 0 only; the other ranks then end with mpirun)
+    :raises ValueError: the scene cannot be cut, or a wall moves (rank 0 only; the other ranks then end with mpirun); several ranks after
+        `merge(forGood=True)` (on all)
     """
-    steps, mpy = checks.wholeNumber('steps', steps, 1), _mpy()
-    mpy.REALLOCATE_FREQUENCY = checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
+    steps, rebalanceEvery = checks.wholeNumber('steps', steps, 1), checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
+    if Totals.ended and ranks() > 1:
+        raise ValueError('run: not on several ranks after merge(forGood=True)')
+    mpy = _mpy()
+    mpy.REALLOCATE_FREQUENCY = rebalanceEvery
+    if rank() == 0 and ranks() > 1:
+        (_checkEnginesAndWalls if Totals.begun else distribute)()
     if rank() == 0 and not Totals.begun:
-        if ranks() > 1:
-            distribute()
         for name in O.energy.keys():
             O.energy[name] = 0  # clearing it would confuse NewtonIntegrator, which knows the places of its entries
     Totals.begun = True
@@ -86,19 +92,27 @@ def run(steps, rebalanceEvery=0):
 
 
 def _split():
-    """`mpy.splitScene`, with the contacts at borders and walls as they are. It erases all bodies of other ranks, and gets those that are near a border
+    """`mpy.splitScene`, with the contacts at borders and walls as they are. It erases all bodies of other ranks, and gets those near a border
     back without what their contacts remember. Here the first erasing is left out, and all keep their boxes, so that the collider knows them; the
-    second erasing, of those that are not near, does all that is needed."""
+    second erasing, of those that are not near, does all that is needed.
+
+    :raises RuntimeError: mpy is another one than this was made for"""
     mpy = _mpy()
-    for name in ('unboundRemoteBodies', 'eraseRemote'):
-        _spareFirstCall(mpy, name)
+    functions = {name: getattr(mpy, name) for name in SPARED}
+    for name, function in functions.items():
+        _spareFirstCall(mpy, name, function)
     silent, mpy.NO_OUTPUT = mpy.NO_OUTPUT, True  # mpy wonders that the walls are known already
-    mpy.splitScene()
-    mpy.NO_OUTPUT = silent
+    try:
+        mpy.splitScene()
+    finally:
+        mpy.NO_OUTPUT = silent
+    unused = [name for name, function in functions.items() if getattr(mpy, name) is not function]
+    if unused:
+        raise RuntimeError(f'yade.mpy of YADE {config.version}: splitScene no longer calls {", ".join(unused)}, so that contacts at '
+                           'borders would be forgotten')
 
 
-def _spareFirstCall(module, name):
-    function = getattr(module, name)
+def _spareFirstCall(module, name, function):
     setattr(module, name, lambda: setattr(module, name, function))
 
 
@@ -111,6 +125,7 @@ def merge(forGood=False):
     if ranks() > 1:
         _meet()
         _orAbort(_mpy().mergeScene)
+    Totals.ended = Totals.ended or forGood
     if forGood and rank() == 0:
         _makeOrdinary()
 
@@ -127,7 +142,7 @@ def _orAbort(do, *arguments):
     # An error of one rank would leave the others in the middle of their messages.
     try:
         do(*arguments)
-    except Exception:
+    except BaseException:  # Ctrl-C and sys.exit too
         traceback.print_exc()
         sys.stderr.flush()
         _mpy().comm.Abort(1)
@@ -137,9 +152,10 @@ def distribute():
     """Give every body of the scene its rank: what cannot move 0, the others domains of equal numbers, by recursive bisection along the longest
     side of the box around their centres.
 
-    :raises ValueError: an engine that needs the whole scene, a periodic cell, clumps, or fewer particles than domains
+    :raises ValueError: an engine that needs the whole scene, walls that move, a periodic cell, clumps, or fewer particles than domains
     """
     moving = [body for body in O.bodies if body.dynamic]
+    _checkEnginesAndWalls()
     _checkScene(moving, ranks() - 1)
     for body in O.bodies:
         body.subdomain = 0
@@ -150,10 +166,21 @@ def distribute():
     O.engines = O.engines
 
 
-def _checkScene(moving, domains):
+def _checkEnginesAndWalls():
     for each in O.engines:
         if isinstance(each, WHOLE_SCENE):
             raise ValueError(f'engine = {type(each).__name__}: it needs the whole scene in one process')
+        if isinstance(each, MOVERS):
+            raise ValueError(f'engine = {type(each).__name__}: walls cannot move on several ranks')
+        if isinstance(each, PyRunner) and 'vtkrecorder' in each.command:
+            raise ValueError('engine = vtkRecorder: each rank would write its own part under the same names; record on rank 0 after merge')
+    # Rank 0 tells no other rank where its bodies are: a wall that moved would stand still for the particles.
+    for body in O.bodies:
+        if not (body.dynamic or body.isSubdomain) and (body.state.vel.norm() > 0 or body.state.angVel.norm() > 0):
+            raise ValueError(f'body {body.id}: it is not dynamic and has a velocity, but walls cannot move on several ranks')
+
+
+def _checkScene(moving, domains):
     if O.periodic:
         raise ValueError('O.periodic = True: periodic scenes cannot be cut into domains')
     if any(body.isClump for body in O.bodies):
@@ -177,9 +204,10 @@ def _bisect(places, domains):
 
 
 class Totals:
-    """Sums over all ranks, taken at the end of every `every`-th step; to be made by all ranks before `run`.
+    """Sums over all ranks, taken at the end of every `every`-th step; to be made by all ranks before the first `run`.
 
     :param supports: ids of fixed bodies whose forces are added up
+    :raises ValueError: `every` is no whole number; on several ranks also after a `run`
     :ivar rows: on rank 0 a dict for each record: `time` [s], `momentum` (3) [kg m/s] of all particles, `force` (3) [N] on the supports in this step,
         `bodies` that moved, and with O.trackEnergy `energy`, the entries of O.energy [J] since the scene was cut; on other ranks empty
     """
@@ -187,8 +215,11 @@ class Totals:
     COMMAND = f"sys.modules['{__name__}'].Totals._all"  # of the scene's PyRunner, which has the number in this list:
     _all = []
     begun = False  # whether there was a `run`
+    ended = False  # whether there was a `merge` for good
 
     def __init__(self, supports=(), every=1):
+        if Totals.begun and ranks() > 1:  # the other ranks have their engines by then, and would not take part
+            raise ValueError('Totals: must be made before the first run')
         self.supports, self.rows = list(supports), []
         every = checks.wholeNumber('every', every, 1)
         Totals._all.append(self)

@@ -1,4 +1,5 @@
 """What a run leaves: time series as CSV, a summary as JSON."""
+import contextlib
 import csv
 import json
 import os
@@ -85,3 +86,14 @@ class Replacing:
             os.remove(self.partial)
         else:
             os.replace(self.partial, self.path)
+            _flushFolder(os.path.dirname(self.path) or '.')
+
+
+def _flushFolder(path):
+    """The same for the names in the folder."""
+    folder = os.open(path, os.O_RDONLY)
+    try:
+        with contextlib.suppress(OSError):  # some network file systems cannot
+            os.fsync(folder)
+    finally:
+        os.close(folder)

@@ -41,7 +41,7 @@ class StagedRun:
         cls.checkFolder(output)
         os.makedirs(output, exist_ok=True)
         checkpoint.remove(output)
-        run = cls(output, {'seconds': 0.0, 'stageSeconds': {}, 'solver': {}, **state}, stream)
+        run = cls(output, {'seconds': 0.0, 'stageSeconds': {}, 'solver': {}, **state, 'kind': cls.__name__}, stream)
         for name in files:
             if os.path.exists(run.path(name)):
                 os.remove(run.path(name))
@@ -54,8 +54,15 @@ class StagedRun:
 
     @classmethod
     def resume(cls, output, stream=sys.stderr):
-        """Take up the interrupted run in the folder `output`."""
-        return cls(output, checkpoint.load(output), stream)
+        """Take up the interrupted run in the folder `output`.
+
+        :raises ValueError: there is none, a damaged one, or one of another kind; YADE's present scene is then as it was
+        """
+        def check(state):
+            if state.get('kind') != cls.__name__:
+                raise ValueError(f'output = {output!r}: the interrupted run there is of the kind {state.get("kind")}, not {cls.__name__}')
+
+        return cls(output, checkpoint.load(output, check), stream)
 
     def path(self, name):
         return os.path.join(self.output, name)
@@ -65,7 +72,9 @@ class StagedRun:
 
         :param until: a later one of STAGES: stop before it, leave a checkpoint for `resume`, return None
         :raises Interrupted: after Ctrl-C, with a checkpoint written
+        :raises ValueError: `until` is no stage, or one that this run has left behind; before anything changes
         """
+        self._checkStage(until)
         self._started = time.perf_counter()
         with Stepper(self._plan(), self.stream, self.state.pop('stepsLeft', None)) as self.stepper:
             try:
@@ -80,6 +89,13 @@ class StagedRun:
                 raise
             self.leave(until)
         return self.summary
+
+    def _checkStage(self, until):
+        stages, present = (*self.STAGES, 'done'), self.state['stage']
+        if until not in stages:
+            raise ValueError(f'until = {until!r}: must be one of {", ".join(stages)}')
+        if stages.index(until) < stages.index(present):
+            raise ValueError(f'until = {until!r}: the run in {self.output!r} is already in the stage {present!r}')
 
     def leave(self, until):
         """The folder as it should be when the stages before `until` are done."""

@@ -15,8 +15,10 @@ import time
 from yade import O
 from yade import superquadric as sq
 from yade.superquadric import checks, impact, parallel, results
+from yade.superquadric.commandline import BAD_INPUT
 from yade.wrapper import CurvatureMat, Superquadric, Wall
 
+FAILED = 1                   # exit code beside those of all scripts
 RADIUS = 5e-3                # of the sphere of a cube's volume [m]
 IMPACTOR = 0.04, 7800.0      # diameter [m], density [kg/m3]
 COLUMNS = ('time', 'bodies', 'momentumX', 'momentumY', 'momentumZ', 'forceX', 'forceY', 'forceZ')
@@ -35,6 +37,12 @@ def options():
     parser.add_argument('--output', help='CSV file of the records')
     given = parser.parse_args(sys.argv[1:])
     checks.notNegative('speed', given.speed)
+    for name, least in (('count', 1), ('steps', 1), ('every', 1), ('rebalance', 0)):
+        checks.wholeNumber(name, getattr(given, name), least)
+    if given.every > given.steps:
+        raise ValueError(f'every = {given.every}: must not be above steps = {given.steps}; there would be no record')
+    for path in filter(None, (given.bed, given.output)):
+        os.makedirs(os.path.dirname(path) or '.', exist_ok=True)
     return given
 
 
@@ -45,14 +53,16 @@ def pour(count, seed, path):
     cube = sq.particleShape('cube', RADIUS)
     width = 1.2 * (count * cube.volume / 0.6) ** (1 / 3)
     container = sq.boxContainer(width, width, 10 * width, material, cube.boundingRadius)
-    cubes, container = sq.rainFilling([cube] * checks.wholeNumber('count', count, 1), container, material, seed)
+    cubes, container = sq.rainFilling([cube] * count, container, material, seed)
     O.engines, O.dt = sq.superquadricEngines(), 0.1 * sq.criticalTimeStep()
     with sq.Stepper() as stepper:
         stepper.begin('settling')
         if not sq.settle(stepper, sq.RestCriterion(cubes, [container.baseId, *container.sideIds]), maxTime=3.0):
             raise RuntimeError('the bed did not come to rest within 3 s')
     O.trackEnergy = True
-    O.save(path)
+    partial = f'{path}.part.gz'  # YADE takes the format from the name's end
+    O.save(partial)
+    os.replace(partial, path)
 
 
 def load(given):
@@ -60,7 +70,9 @@ def load(given):
     if not os.path.exists(given.bed):
         pour(given.count, given.seed, given.bed)
     O.load(given.bed)
-    base = next(body for body in O.bodies if isinstance(body.shape, Wall) and body.shape.axis == 2)
+    base = next((body for body in O.bodies if isinstance(body.shape, Wall) and body.shape.axis == 2), None)
+    if base is None:
+        raise ValueError(f'bed = {given.bed!r}: there is no bed in that file')
     cubes = [body.id for body in O.bodies if isinstance(body.shape, Superquadric)]
     if given.speed:
         surface = max(O.bodies[cube].state.pos[2] for cube in cubes)
@@ -83,13 +95,8 @@ def report(totals, seconds, steps):
     print(f'force on base  {-last["force"][2]:.6f} N, largest {push:.6f} N')
 
 
-def main():
-    try:
-        given = options()
-        base = load(given) if parallel.rank() == 0 else None
-    except ValueError as error:
-        print(f'parallel_bed.py: {error}', file=sys.stderr)
-        return 2
+def compute(given, base):
+    """All steps; rank 0 tells what came out."""
     totals = parallel.Totals([base], given.every)
     begin = time.perf_counter()
     parallel.run(given.steps, given.rebalance)
@@ -98,6 +105,16 @@ def main():
         report(totals, seconds, given.steps)
         if given.output:
             results.writeCsv(given.output, COLUMNS + ENERGIES, map(row, totals.rows))
+
+
+def main():
+    try:
+        given = options()
+        base = load(given) if parallel.rank() == 0 else None
+        compute(given, base)
+    except (OSError, RuntimeError, ValueError) as error:
+        print(f'parallel_bed.py: {error}', file=sys.stderr)
+        return FAILED if isinstance(error, RuntimeError) else BAD_INPUT
     return 0
 
 

@@ -14,11 +14,12 @@ import subprocess
 import sys
 
 from yade.superquadric import results, sealed
+from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.study import plan as plans, studyfile, table
 
 SNAKEFILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'study', 'Snakefile')
 SHOWN = ['--log-handler-script', os.path.join(os.path.dirname(SNAKEFILE), 'progress.py')]  # what the user sees of snakemake's work
-FAILED, BAD_INPUT, INTERRUPTED = 1, 2, 130  # exit codes
+FAILED = 1  # exit code beside those of all scripts
 
 
 def parser():

@@ -152,6 +152,7 @@ def alone(snapshot):
     (lambda: regions.Cylinder(1, (0, 0, 1), (0, 0, 1)), 'top = '),
     (lambda: regions.HalfSpaces((((0, 0, 0), 1),), regions.Box((0, 0, 0), (1, 1, 1))), 'must not be zero'),
     (lambda: regions.HalfSpaces((), None), 'within = None'),
+    (lambda: sq.packingFraction([], regions.HalfSpaces((((0, 0, 1), -1),), regions.Box((0, 0, 0), (1, 1, 1)))), 'region = .*: is empty'),
     (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
     (lambda: sq.packingFraction([], regions.Box((0, 0, 0), (1, 1, 1)), accuracy=0), 'accuracy = 0')))
 def test_badInput(make, complaint):

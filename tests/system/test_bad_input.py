@@ -175,8 +175,8 @@ def test_unknownParameter():
         checked({'thikness': 0.1})
 
 
-def runScript(*arguments):
-    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), *arguments]
+def runScript(*arguments, script='impact.py'):
+    command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', script), *arguments]
     return subprocess.run(command, capture_output=True, text=True, timeout=60)
 
 
@@ -189,3 +189,13 @@ def test_scriptSaysItAndEndsWithCodeTwo(arguments, message, tmp_path):
     assert done.returncode == 2
     assert message in done.stderr and 'Traceback' not in done.stdout + done.stderr
     assert not output.exists()
+
+
+@pytest.mark.parametrize('arguments, message', [
+    (['--count', '0'], 'count = 0'), (['--steps', '5'], 'every = 10: must not be above steps = 5'), (['--bed', '/dev/null/bed.yade.gz'], '/dev/null')])
+def test_parallelBedSaysItInOneLine(arguments, message, tmp_path):
+    """Before it pours anything."""
+    done = runScript('--bed', str(tmp_path / 'bed.yade.gz'), *arguments, script='parallel_bed.py')
+    assert done.returncode == 2 and 'Traceback' not in done.stdout + done.stderr
+    assert [line for line in done.stderr.splitlines() if line.startswith('parallel_bed.py: ') and message in line]
+    assert os.listdir(tmp_path) == []

@@ -148,6 +148,31 @@ def test_bestPourIsRepeatedWhenNoNumberIsLeft():
     assert nextCount(pours((80, 0.0096), (84, 0.0105)), 0.01, 0.03) == 80 == round(84 * 0.01 / 0.0105)
 
 
+def test_limitsOfAllControlGroupsCount(tmp_path, monkeypatch):
+    """Those of the process's own and of all above it; the page cache is no loss."""
+    job = tmp_path / 'slurm' / 'job'
+    job.mkdir(parents=True)
+    (tmp_path / 'cgroup').write_text('4:memory:/other\n0::/slurm/job\n')
+    monkeypatch.setattr(memory, 'GROUPS', tmp_path)
+    monkeypatch.setattr(memory, 'OWN', tmp_path / 'cgroup')
+    monkeypatch.setattr(memory, 'MEMORY', tmp_path / 'nothing')
+    assert memory.available() == math.inf
+
+    def limit(group, most, used):
+        for name, text in (('memory.max', most), ('memory.current', used), ('memory.stat', 'anon 5000\ninactive_file 300\nactive_file 40')):
+            (group / name).write_text(f'{text}\n')
+
+    limit(job, 'max', 7000)
+    assert memory.available() == math.inf
+    limit(job.parent, 10000, 9000)
+    assert memory.available() == 1340
+    limit(job, 8000, 7500)
+    assert memory.available() == 840
+    (tmp_path / 'meminfo').write_text('MemTotal: 9 kB\nMemAvailable:  0 kB\n')
+    monkeypatch.setattr(memory, 'MEMORY', tmp_path / 'meminfo')
+    assert memory.available() == 0
+
+
 def test_moreThanTheMemoryHoldsIsRefused(material, monkeypatch):
     assert memory.available() > 1e6
     monkeypatch.setattr(memory, 'available', lambda: 200 * memory.BYTES_A_PARTICLE)

@@ -7,8 +7,9 @@ from yade import O
 from yade.wrapper import InteractionLoop
 
 import yade.superquadric as sq
-from yade.superquadric import renderer, report, results, sealed
+from yade.superquadric import checkpoint, renderer, report, results, sealed
 from yade.superquadric.engines import engine
+from yade.superquadric.oedometer import OedometerRun
 
 SMALL = {'containerDiameter': 0.07, 'thickness': 0.012, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 
@@ -177,15 +178,58 @@ def test_thicknessThatIsMissedIsTold(bed, tmp_path):
     assert 'WARNING    the bed is' in report.text(impact(tmp_path / 'bed', tmp_path / 'impact'))
 
 
-def test_aCheckpointIsWholeOrNone(bed, tmp_path, monkeypatch):
-    """Killed between its two files, a run has no checkpoint: it begins anew instead of going on from halves that do not fit."""
+def kill(*_):
+    raise KeyboardInterrupt
+
+
+def test_killedInTheFirstSavingThereIsNoCheckpoint(bed, tmp_path, monkeypatch):
+    """The run begins anew instead of going on from halves that do not fit."""
     run = sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None)
-    run.run(until='static')
-    assert sq.ImpactRun.isInterrupted(str(tmp_path))
-    monkeypatch.setattr(results, 'writeJson', lambda *_: (_ for _ in ()).throw(KeyboardInterrupt))
+    monkeypatch.setattr(results, 'writeJson', kill)
     with pytest.raises(KeyboardInterrupt):
-        run.save()
+        run.run(until='static')
     monkeypatch.undo()
     assert not sq.ImpactRun.isInterrupted(str(tmp_path)) and (tmp_path / 'checkpoint.yade.gz').exists()
     assert impact(bed, tmp_path)['impact']['over']
     assert not (tmp_path / 'checkpoint.yade.gz').exists()
+
+
+@pytest.mark.parametrize('module, name, stepsLost', [(results, 'writeJson', 1), (os, 'replace', 1), (os, 'remove', 0)])
+def test_killedInALaterSavingOneCheckpointIsWhole(bed, tmp_path, monkeypatch, module, name, stepsLost):
+    """That of before, or the new one; also when it was killed there twice in a row."""
+    run = sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None)
+    run.run(until='static')
+    for _ in range(2):
+        O.step()
+        monkeypatch.setattr(module, name, kill)
+        with pytest.raises(KeyboardInterrupt):
+            run.save()
+        monkeypatch.undo()
+        steps = O.iter
+        sq.ImpactRun.resume(str(tmp_path), stream=None)
+        assert O.iter == steps - stepsLost
+    run.save()
+    assert len([file for file in os.listdir(tmp_path) if 'checkpoint' in file]) == 2
+    checkpoint.remove(str(tmp_path))
+    assert not [file for file in os.listdir(tmp_path) if 'checkpoint' in file]
+
+
+def test_runsOfAnotherKindAreNotResumed(bed, tmp_path):
+    sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None).run(until='static')
+    bodies = len(O.bodies)
+    O.reset()
+    with pytest.raises(ValueError, match='output = .*: the interrupted run there is of the kind ImpactRun, not OedometerRun'):
+        OedometerRun.resume(str(tmp_path), stream=None)
+    assert len(O.bodies) == 0 and sq.ImpactRun.isInterrupted(str(tmp_path))
+    sq.ImpactRun.resume(str(tmp_path), stream=None)
+    assert len(O.bodies) == bodies
+
+
+def test_aStageThatIsPastIsRefused(bed, tmp_path):
+    sq.ImpactRun.onBed(str(bed), {}, str(tmp_path), stream=None).run(until='static')
+    run = sq.ImpactRun.resume(str(tmp_path), stream=None)
+    for until, message in (('prepare', "the run in .* is already in the stage 'static'"), ('nap', 'must be one of pour, ')):
+        with pytest.raises(ValueError, match=f'until = {until!r}: {message}'):
+            run.run(until=until)
+    run.run(until='impact')
+    assert run.state['stage'] == 'impact'

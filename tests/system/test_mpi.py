@@ -8,10 +8,13 @@ import json
 import os
 import subprocess
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
-SCENE = Path(__file__).with_name('parallelscene.py')
+from yade.superquadric import parallel
+
+SCENE, REFUSALS = (Path(__file__).with_name(name) for name in ('parallelscene.py', 'parallelrefusals.py'))
 STEPS = 400
 ROUNDING = 1e-8
 # Open MPI: more processes than cores, as root in a container, and no network.
@@ -100,3 +103,33 @@ def test_anErrorOnRank0EndsTheRun(tmp_path):
     process = launch(3, 1, SCENE, 'clump', 'domains', STEPS, tmp_path / 'outcome.json')
     assert process.returncode != 0
     assert 'O.bodies: clumps cannot be cut into domains' in process.stdout + process.stderr
+
+
+def test_whatSeveralRanksCannotDoIsRefused(tmp_path):
+    """Nothing has changed then: the scene runs afterwards."""
+    process = launch(3, 1, REFUSALS, 'refusals', tmp_path)
+    assert process.returncode == 0, process.stdout + process.stderr
+    outcome = json.loads((tmp_path / 'messages.json').read_text())
+    wall, engine = 'body 0: it is not dynamic and has a velocity', 'engine = RotationEngine: walls cannot move'
+    late = ['Totals: must be made before the first run', 'run: not on several ranks after']
+    expected = [wall, wall, engine, 'engine = TriaxialStressController: walls cannot move', 'engine = vtkRecorder:', late[0], wall, engine, late[1]]
+    for messages, beginnings in zip(outcome['messages'], (expected, late, late), strict=True):
+        assert [message[:len(beginning)] for message, beginning in zip(messages, beginnings, strict=True)] == beginnings
+    assert outcome['steps'] == 20
+
+
+def test_anErrorOnAnotherRankEndsTheRun(tmp_path):
+    """Instead of leaving the others in the middle of their messages for ever."""
+    process = launch(3, 1, REFUSALS, 'failing', tmp_path)
+    assert process.returncode != 0 and 'rank 1 fails' in process.stdout + process.stderr
+    assert not (tmp_path / 'messages.json').exists()
+
+
+def test_anotherMpyIsNoticed(monkeypatch):
+    """One whose splitScene does not call what is spared would silently forget contacts."""
+    mpy = SimpleNamespace(NO_OUTPUT=False, unboundRemoteBodies=lambda: None, eraseRemote=lambda: None)
+    mpy.splitScene = lambda: mpy.eraseRemote()
+    monkeypatch.setattr(parallel, '_mpy', lambda: mpy)
+    with pytest.raises(RuntimeError, match='yade.mpy of YADE .*: splitScene no longer calls unboundRemoteBodies, so'):
+        parallel._split()
+    assert mpy.NO_OUTPUT is False
