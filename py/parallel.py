@@ -1,6 +1,7 @@
 """A scene on several processes (MPI): YADE's `mpy` with what superquadrics need, and totals over all ranks.
 
-    # scene.py, started by: tools/env mpirun -np 3 yade -n -x -j1 scene.py
+A script scene.py, started by `tools/env mpirun -np 3 yade -n -x -j1 scene.py`::
+
     from yade.superquadric import parallel
     if parallel.rank() == 0:
         ...                                    # bodies, O.engines, O.dt as for one process

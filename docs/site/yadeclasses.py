@@ -15,6 +15,7 @@ YADES = 'https://yade-dem.org/doc/yade.wrapper.html#yade.wrapper.'
 READ_ONLY = 2  # of YADE's flags of an attribute (lib/serialization/Serializable.hpp), and
 HIDDEN = 8     # not for users
 FIELD = re.compile(r':y(default|attrtype|attrflags):`([^`]*)`')
+STATIC = re.compile(r'\.\. ystaticattr:: \w+\.(\w+)\(=(.*)\)')
 SIGNATURE = re.compile(r'\s*\w+\( (?P<arguments>.*)\) -> (?P<result>\w+) :\s*(?P<text>.*)', re.S)
 ARGUMENT = re.compile(r'\((\w+)\)(\w+)')
 PYTHON = {'Real': 'float', 'std::string': 'str', 'Vector3r': 'Vector3', 'Quaternionr': 'Quaternion', 'Matrix3r': 'Matrix3', 'long': 'int',
@@ -38,6 +39,7 @@ def rest(text):
     """A docstring's text as reStructuredText: $...$ is mathematics, and YADE's notes on types are left out."""
     text = text.replace('|yupdate|', 'Updated in every step.')
     text = re.sub(r'\$([^$]+)\$', r':math:`\1`', FIELD.sub('', text.replace('[defined below]', '')))
+    text = STATIC.sub(r'.. py:attribute:: \1\n :value: \2', text)
     return re.sub(r'[ \t]+', ' ', text).strip()
 
 
