@@ -69,7 +69,7 @@ namespace {
 			Layout layout;
 			layout.rotation = rotation;
 			for (const Vector3& place : places_)
-				layout.offsets.push_back(rotation * parent_.shape.halfSizes().cwiseProduct(place));
+				layout.offsets.emplace_back(rotation * parent_.shape.halfSizes().cwiseProduct(place));
 			const Vector3 momentum = parent_.spinMomentum();
 			const Vector3 own = inertia().ldlt().solve(rotation.transpose() * momentum) / parent_.mass;
 			layout.spin = rotation * own;

@@ -209,8 +209,8 @@ namespace {
 		const int columns = grid.columns(), inHalf = column % (2 * columns);
 		const Vector3 side(column > columns && column < 3 * columns ? -1 : 1, column > 2 * columns ? -1 : 1, ring > grid.rings() ? -1 : 1);
 		const Vector3 inOctant = grid.point(folded(ring, grid.rings()), folded(inHalf, columns));
-		result.points.push_back(side.cwiseProduct(inOctant));
-		result.normals.push_back(side.cwiseProduct(shape.gaugeWithGradient(inOctant).gradient.normalized()));
+		result.points.emplace_back(side.cwiseProduct(inOctant));
+		result.normals.emplace_back(side.cwiseProduct(shape.gaugeWithGradient(inOctant).gradient.normalized()));
 	}
 
 	// The north pole, the rings from north to south, the south pole.

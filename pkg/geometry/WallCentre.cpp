@@ -50,7 +50,7 @@ namespace {
 	bool descend(const Shape& shape, CentredPoint& point, const Step& step)
 	{
 		const double blur = tolerances::gaugeRounding / point.depth;
-		for (double part = 1; part > tolerances::shortestWallStep; part /= 2) { // NOLINT(*-float-loop-counter,cert-flp30-c): halving is exact
+		for (double part = 1; part > tolerances::shortestWallStep; part /= 2) { // NOLINT(clang-analyzer-security.FloatLoopCounter): halving is exact
 			const CentredPoint next = centreAt(shape, point.u + part * step.u);
 			if (!(next.objective <= point.objective - tolerances::wallDescent * part * step.decrement + blur)) continue;
 			point = next;
