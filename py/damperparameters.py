@@ -13,7 +13,7 @@ from .bodies import SHAPES, particleShape
 from .engines import LAWS
 from .filling import DEEP_FRACTION
 from .materials import elastoplasticMat, materialAt, properties
-from .parameterlist import Parameter, between, count, oneOf, optional, within
+from .parameterlist import Parameter, between, completed, count, defaultsOf, oneOf, optional, within
 from .restitution import collisionDuration, normalDampingFor
 
 BOX, DRIVE = 'box', 'drive'  # scopes: of what the box holds, and of what is done to it
@@ -67,7 +67,7 @@ PARAMETERS = (
 
 def defaults():
     """{name: default} of all parameters."""
-    return {parameter.name: parameter.default for parameter in PARAMETERS}
+    return defaultsOf(PARAMETERS)
 
 
 def checked(values):
@@ -75,10 +75,7 @@ def checked(values):
 
     :raises ValueError: an unknown name, or a value that cannot be, alone or with the others
     """
-    unknown = sorted(set(values) - set(defaults()))
-    if unknown:
-        raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
-    result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
+    result = completed(values, PARAMETERS)
     known = properties(result['material'])
     result.update({name: known[name] for name in OF_THE_MATERIAL if result[name] is None})
     makeMaterial(result)

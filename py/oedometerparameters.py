@@ -10,7 +10,7 @@ from yade.wrapper import BreakableMat, CurvatureMat
 from . import checks
 from .bodies import SHAPES, particleShape
 from .filling import DEEP_FRACTION
-from .parameterlist import Parameter, between, count, oneOf, optional, within
+from .parameterlist import Parameter, between, completed, count, defaultsOf, oneOf, optional, scopeOf, within
 from .restitution import normalDampingFor
 
 BED, TEST = 'bed', 'test'  # scopes: of the bed, and of what is done to it
@@ -69,12 +69,12 @@ PARAMETERS = (
 
 def defaults():
     """{name: default} of all parameters."""
-    return {parameter.name: parameter.default for parameter in PARAMETERS}
+    return defaultsOf(PARAMETERS)
 
 
 def bedPart(parameters):
     """Those of `parameters` (a complete dict) from which the bed is made."""
-    return {p.name: parameters[p.name] for p in PARAMETERS if p.scope == BED}
+    return scopeOf(parameters, PARAMETERS, BED)
 
 
 def checked(values):
@@ -82,10 +82,7 @@ def checked(values):
 
     :raises ValueError: an unknown name, or a value that cannot be, alone or with the others
     """
-    unknown = sorted(set(values) - set(defaults()))
-    if unknown:
-        raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
-    result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
+    result = completed(values, PARAMETERS)
     normalDampingFor(result['restitution'])
     _checkSizes(result)
     _checkEnd(result)

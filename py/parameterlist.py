@@ -31,6 +31,27 @@ def count(least):
     return lambda name, value: checks.wholeNumber(name, value, least)
 
 
+def defaultsOf(parameters):
+    """{name: default} of all `parameters`."""
+    return {parameter.name: parameter.default for parameter in parameters}
+
+
+def scopeOf(values, parameters, scope):
+    """Those of the complete `values` that belong to the `scope`."""
+    return {parameter.name: values[parameter.name] for parameter in parameters if parameter.scope == scope}
+
+
+def completed(values, parameters):
+    """All `parameters` as a dict, each accepted by its own check: from `values`, missing ones by default.
+
+    :raises ValueError: an unknown name, or a value that cannot be
+    """
+    unknown = sorted(set(values) - set(defaultsOf(parameters)))
+    if unknown:
+        raise ValueError(f'{unknown[0]} = {values[unknown[0]]!r}: there is no such parameter')
+    return {p.name: p.check(p.name, values.get(p.name, p.default)) for p in parameters}
+
+
 def addOptions(parser, parameters):
     """An option for each of the `parameters`. Values stay text: the experiment's own checks turn them into numbers and name what is wrong."""
     for parameter in parameters:

@@ -11,7 +11,7 @@ from .bodies import SHAPES, particleShape
 from .container import Container, checkCylinder
 from .filling import DEEP_FRACTION, DENSEST, GAP, SIDEWAYS, particleNumber
 from .impact import CALIBRATED_DENSITY, CLEARANCE, speedAt, surfaceSpeed
-from .parameterlist import Parameter, between, count, oneOf, optional, within
+from .parameterlist import Parameter, between, completed, count, defaultsOf, oneOf, optional, scopeOf, within
 from .settling import QUIET
 
 BED, IMPACT = 'bed', 'impact'  # scopes: of the bed, and of what may differ from impact to impact on the same bed
@@ -68,12 +68,12 @@ PARAMETERS = (
 
 def defaults():
     """{name: default} of all parameters."""
-    return {parameter.name: parameter.default for parameter in PARAMETERS}
+    return defaultsOf(PARAMETERS)
 
 
 def bedPart(parameters):
     """Those of `parameters` (a complete dict) from which the bed is poured."""
-    return {p.name: parameters[p.name] for p in PARAMETERS if p.scope == BED}
+    return scopeOf(parameters, PARAMETERS, BED)
 
 
 def checked(values):
@@ -81,11 +81,7 @@ def checked(values):
 
     :raises ValueError: an unknown name, or a value that cannot be, alone or with the others
     """
-    unknown = set(values) - set(defaults())
-    if unknown:
-        name = sorted(unknown)[0]
-        raise ValueError(f'{name} = {values[name]!r}: there is no such parameter')
-    result = {p.name: p.check(p.name, values.get(p.name, p.default)) for p in PARAMETERS}
+    result = completed(values, PARAMETERS)
     shape = shapeOf(result)
     checkCylinder(result['containerDiameter'] / 2, result['containerHeight'],
                   (1 + result['radiusSpread']) * shape.boundingRadius)

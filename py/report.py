@@ -11,8 +11,8 @@ SUMMARY, RECORD, BEFORE, AFTER = FILES = ('summary.json', 'force.csv', finishedb
 
 
 def write(run):
-    """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before; pictures last, as the results do not depend on them. Returns
-    the summary."""
+    """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before; pictures last, as the results do not
+    depend on them. Returns the summary."""
     after = Snapshot.ofBodies(run.ids)
     after.save(run.path(AFTER))
     content = summary(run)

@@ -7,7 +7,7 @@ from .. import damperparameters as parameters
 from ..damperreport import CLOSED, STEADY
 from ..dampermotion import Motion, lastPeriods, spectrum
 from ..results import readCsv, readJson
-from .experiment import Experiment
+from .experiment import PROVENANCE, Experiment
 from .impacts import standard
 from .quantities import axisLabel, xSentence
 from .statistics import typicalValue
@@ -26,11 +26,7 @@ MEASURED = {
     'balanceError': ('energy', 'balanceError'),
     'dt': ('timeStep', 'step'),
     'runSeconds': ('wallSeconds',),
-    'threads': ('threads',),
-    'versionYade': ('versions', 'yade'),
-    'versionPlugin': ('versions', 'yade-superquadric'),
-    'versionPython': ('versions', 'python'),
-    'versionNumpy': ('versions', 'numpy'),
+    **PROVENANCE,
 }
 SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential',
          'frictionDissip': 'sliding friction', 'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}

@@ -2,7 +2,12 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from ..parameterlist import defaultsOf, scopeOf
+
 IDS = ('run', 'bed', 'seed')
+# Of every summary: what it was computed with.
+PROVENANCE = {'threads': ('threads',), 'versionYade': ('versions', 'yade'), 'versionPlugin': ('versions', 'yade-superquadric'),
+              'versionPython': ('versions', 'python'), 'versionNumpy': ('versions', 'numpy')}
 
 
 @dataclass(frozen=True)
@@ -35,11 +40,11 @@ class Experiment:
 
     def defaults(self):
         """{name: default} of all parameters."""
-        return {parameter.name: parameter.default for parameter in self.parameters}
+        return defaultsOf(self.parameters)
 
     def bedPart(self, parameters):
         """Those of complete `parameters` from which the bed is made."""
-        return {p.name: parameters[p.name] for p in self.parameters if p.scope == self.bedScope}
+        return scopeOf(parameters, self.parameters, self.bedScope)
 
     def given(self):
         """The columns that hold parameters, as asked for."""

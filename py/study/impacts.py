@@ -4,7 +4,7 @@ import math
 from .. import parameters
 from ..bodies import BLOCK_EXPONENT, particleShape
 from .curves import drawCurves
-from .experiment import Experiment
+from .experiment import PROVENANCE, Experiment
 
 RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
 # Exponents that a shape has by its name, and the names: with aspect 1, and with any other.
@@ -32,11 +32,7 @@ MEASURED = {
     'dtImpact': ('timeStep', 'impact'),
     'bedSeconds': ('bed', 'wallSeconds'),
     'impactSeconds': ('wallSeconds',),
-    'threads': ('threads',),
-    'versionYade': ('versions', 'yade'),
-    'versionPlugin': ('versions', 'yade-superquadric'),
-    'versionPython': ('versions', 'python'),
-    'versionNumpy': ('versions', 'numpy'),
+    **PROVENANCE,
 }
 DERIVED = {
     'pours': lambda summary: len(summary['bed']['pours']),

@@ -1,7 +1,7 @@
 """Studies of oedometer tests (scripts/oedometer.py). The bed is a job of its own: tests that differ only in what is done to it share it."""
 from .. import oedometerparameters as parameters
 from ..oedometerreport import CONSERVED, SLOW
-from .experiment import Experiment
+from .experiment import PROVENANCE, Experiment
 from .impacts import standard
 from .oedometercurves import drawContacts, drawGradings, drawStresses
 
@@ -41,11 +41,7 @@ MEASURED = {
     'stepSeconds': ('secondsPerStep',),
     'bedSeconds': ('bed', 'wallSeconds'),
     'runSeconds': ('wallSeconds',),
-    'threads': ('threads',),
-    'versionYade': ('versions', 'yade'),
-    'versionPlugin': ('versions', 'yade-superquadric'),
-    'versionPython': ('versions', 'python'),
-    'versionNumpy': ('versions', 'numpy'),
+    **PROVENANCE,
 }
 
 
