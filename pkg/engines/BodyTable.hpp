@@ -20,8 +20,7 @@ public:
 		std::optional<superquadric::Placement> placement; // of a superquadric only
 		std::optional<MovingBody> motion; // likewise
 		// Known by its owner, so that no other can take its address unnoticed; but not kept alive: a shape made in Python must be let go of by a
-		// thread
-		// that holds Python's lock.
+		// thread that holds Python's lock.
 		boost::weak_ptr<Shape> shape;
 		const Superquadric* ours = nullptr; // the same, if it is one
 		const Sphere* sphere = nullptr; // likewise
@@ -30,8 +29,7 @@ public:
 	};
 
 	// Takes the present positions and velocities. True when a body has come, gone or changed its shape since the last time, or when the sums of
-	// travel
-	// are used up: all travels are then zero again.
+	// travel are used up: all travels are then zero again.
 	bool update(const Scene& scene, int threads);
 
 	const Row& operator[](Body::id_t id) const { return rows[id]; }

@@ -35,8 +35,7 @@ namespace {
 		}
 
 		// The pieces' own places, `spread` times as far out, but inside the parent. Moving in those that are not shifts the centre of mass, and
-		// moving that back
-		// may bring others out, by less each time; what is left at the end is taken by moving all inwards alike.
+		// moving that back may bring others out, by less each time; what is left at the end is taken by moving all inwards alike.
 		void place(double spread, double reach, double margin)
 		{
 			for (std::size_t i = 0; i < places_.size(); ++i)

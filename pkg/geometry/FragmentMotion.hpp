@@ -35,14 +35,12 @@ struct Layout {
 Vector3 inertiaOfUnitMass(const Shape& shape);
 
 // The assembly turns with the spin that its inertia and the parent's angular momentum give, which for that momentum is the motion of least energy.
-// Its
-// inertia may be too small, as balls have less of it than the blocks that they stand for: where rotation would need more energy than the parent's
-// rotation and
-// its contacts had, the axes of a round parent are drawn anew and the fragments spread outwards, and so on.
+// Its inertia may be too small, as balls have less of it than the blocks that they stand for: where rotation would need more energy than the parent's
+// rotation and its contacts had, the axes of a round parent are drawn anew and the fragments spread outwards, and so on.
 //
 // A centre stays inside the parent by half the fragment's smallest half size and the overlap of the deepest contact: a fragment that is born nearer
-// to a wall, or
-// beyond, could be pressed through it. Only where rotation leaves no choice this margin is given up; the parent's surface is the limit then.
+// to a wall, or beyond, could be pressed through it. Only where rotation leaves no choice this margin is given up; the parent's surface is the limit
+// then.
 Layout arrange(const Pieces& pieces, const Parent& parent, CounterRandom& random);
 
 } // namespace superquadric::fragments

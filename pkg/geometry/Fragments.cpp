@@ -20,8 +20,7 @@ namespace {
 	}
 
 	// Equal balls in these directions, at a common multiple of them: the one with which the second moment per axis of their assembly, r^2/5 + s^2 q,
-	// is that of
-	// the parent, 1/5. The directions are symmetric enough for that to hold of all axes.
+	// is that of the parent, 1/5. The directions are symmetric enough for that to hold of all axes.
 	Pieces equalBalls(const std::vector<Vector3>& directions)
 	{
 		const double share = 1. / directions.size(), radius = std::cbrt(share);

@@ -29,10 +29,8 @@ Pieces blocks(const Vector3& cut);
 Pieces ballsOfBlocks(const Vector3& cut);
 
 // Of a sphere: equal balls on a tetrahedron, or on a lattice of 3 x 3 x 3 without its corners and its middle. Either way as close to each other as
-// the
-// parent's moment of inertia allows, which the assembly then has. (The paper does not tell where its 4 and 18 balls are, nor how large; neither do
-// the works we
-// could read. Of the published conditions, equal balls and conserved mass are met.)
+// the parent's moment of inertia allows, which the assembly then has. (The paper does not tell where its 4 and 18 balls are, nor how large; neither
+// do the works we could read. Of the published conditions, equal balls and conserved mass are met.)
 Pieces fourBalls();
 Pieces eighteenBalls();
 

@@ -100,14 +100,11 @@ namespace {
 		}
 
 		// The distance between the shape's surface and the tessellation is at most this. A point x of the body outside the tessellation has its
-		// nearest
-		// point there on a face, and then lies over it by the face's excess at most; or on the edge of two faces, and then its direction from there
-		// is
-		// within half their angle of one of the normals, so that x is no farther away than excess / cos(half the angle). It cannot be a corner: x
-		// would
-		// have to rise over the surface's own tangent plane there, as no face around it is turned from it by a right angle (in each octant all
-		// normals'
-		// components have one sign). The other way round, a point of a face reaches the surface along the face's normal within the excess.
+		// nearest point there on a face, and then lies over it by the face's excess at most; or on the edge of two faces, and then its direction from
+		// there is within half their angle of one of the normals, so that x is no farther away than excess / cos(half the angle). It cannot be a
+		// corner: x would have to rise over the surface's own tangent plane there, as no face around it is turned from it by a right angle (in each
+		// octant all normals' components have one sign). The other way round, a point of a face reaches the surface along the face's normal within
+		// the excess.
 		double distance() const
 		{
 			double result = 0;
@@ -183,8 +180,7 @@ namespace {
 	}
 
 	// The coarsest grid that is fine enough: the two families of chords share the error, so the search starts at half of it. The distance falls with
-	// the
-	// chords' errors almost in proportion.
+	// the chords' errors almost in proportion.
 	OctantGrid coarsestGrid(const GridFamily& family, double error)
 	{
 		double fine = error / 2, coarse = error / 2;

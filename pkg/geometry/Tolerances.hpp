@@ -111,8 +111,8 @@ constexpr double clearlyDown = 1e-3;
 constexpr int cutTrials = 1000;
 
 // The centre of a fragment stays inside its parent by this part of its own smallest half size, so that walls it is born at are left well on their
-// side; but no
-// contact draws it in below the second number, in half sizes of the parent. Moving in one fragment moves the others by its share of the mass only.
+// side; but no contact draws it in below the second number, in half sizes of the parent. Moving in one fragment moves the others by its share of the
+// mass only.
 constexpr double fragmentMargin = 0.5;
 constexpr double smallestReach = 0.25;
 constexpr int placingRounds = 30;

@@ -94,8 +94,7 @@ namespace {
 	}
 
 	// Directions that light falls on: the triangles' normals, weighted by their areas. Those of the surface itself, which already turn where a flat
-	// face
-	// ends, would shade the whole of it.
+	// face ends, would shade the whole of it.
 	std::vector<Vector3r> shadingNormals(const superquadric::Tessellation& mesh)
 	{
 		std::vector<Vector3r> result(mesh.points.size(), Vector3r::Zero());
