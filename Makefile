@@ -43,6 +43,7 @@ fuzz:
 	@tools/env --with study --with fem --with view tests/run tests/fuzz
 
 sanitize: export SANITIZE = address,undefined
+sanitize: export TEST_TIME_LIMIT = 7200
 sanitize:
 	@tools/env --with study --with fem --with view --target unit_tests --target oracle_tests tests/sanitize
 
