@@ -10,6 +10,7 @@ from yade import O, utils
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
+from yade.superquadric.impact import surfaceSpeed
 
 RADIUS, DENSITY = 0.025, 3003  # [m], [kg/m3]
 SPEED = math.sqrt(5 ** 2 + 2 * 9.81 * 0.30)  # [m/s]
@@ -46,3 +47,13 @@ def test_peak_is_the_papers(kind):
 
 def test_a_lighter_impactor_strikes_less():
     assert peakForce('Sphere', 2500) == pytest.approx(4180, abs=10)
+
+
+def test_bareImpactsLeaveTheSceneAsItIs():
+    """The function that a study takes P0 from, and the speed at the surface."""
+    O.reset()
+    O.materials.append(CurvatureMat(label='mine'))
+    bare = sq.bareImpact(2 * RADIUS, DENSITY, CurvatureMat(young=1e9, poisson=0.2, density=2500, normalDamping=0.1), 5.0, 0.3)
+    assert bare.pulse.peak == pytest.approx(4670, rel=2e-3)
+    assert len(O.bodies) == 0 and O.materials['mine'] is not None
+    assert surfaceSpeed(5, 0.3) == pytest.approx(SPEED)

@@ -1,6 +1,5 @@
-"""Files for ParaView: read back by VTK's own readers and held against the scene; series that go on; bad input."""
+"""Files for ParaView: read back by VTK's own readers and held against the scene; bad input."""
 import os
-import time
 
 import numpy as np
 import pytest
@@ -15,31 +14,9 @@ from yade.superquadric.frame import Frame
 from yade.superquadric.vtkframes import RecordedSeries
 from yade.superquadric.vtkseries import Series
 
+from vtkscene import last, particleBodies, scene
+
 SINGLE = 2e-7  # relative error of single precision, with room for one operation
-R = 4e-3
-SHAPES = [sq.particleShape('cube', R), sq.particleShape('ellipsoid', R, aspect=1.6), sq.particleShape('cylinder', R, aspect=1.5),
-          sq.particleShape('sphere', R)]
-
-
-def scene(steps=400, **recorder):
-    """Particles of all kinds that fall onto each other in a cylinder, a facet among its walls."""
-    O.reset()
-    material = CurvatureMat(young=1e7, poisson=0.2, density=2500, frictionAngle=0.4, normalDamping=0.1, tangentialDamping=0.1, rollingFriction=0.002)
-    O.materials.append(material)
-    container = sq.cylinderContainer(0.02, 0.06, material)
-    O.bodies.append(utils.facet([(-0.02, 0, 0.001), (0.02, 0, 0.001), (0, 0.02, 0.004)], material=material))
-    sq.rainFilling(SHAPES * 5, container._replace(height=1.0), material, seed=2)
-    for body in O.bodies:
-        body.state.vel = Vector3(0, 0, -2) if not body.state.blockedDOFs else Vector3.Zero
-    O.engines = sq.superquadricEngines()
-    O.dt = 0.1 * sq.criticalTimeStep()
-    if recorder:
-        O.engines = O.engines + [sq.vtkRecorder(**recorder)]
-    O.run(steps, True)
-
-
-def particleBodies():
-    return [body for body in O.bodies if isinstance(body.shape, (Sphere, Superquadric))]
 
 
 def stressOf(body):
@@ -60,11 +37,6 @@ def recorded(tmp_path_factory):
     scene(15001, folder=str(folder), iterPeriod=5000, normals=True)
     vtkrecorder.record(str(folder), normals=True)
     return folder
-
-
-def last(folder, name):
-    """What VTK reads of the series' last moment."""
-    return pyvista.read(str(folder / Series(str(folder), name).entries()[-1].file))
 
 
 def test_particlesAreTheScene(recorded):
@@ -164,35 +136,6 @@ def test_recordedFramesAreTheScene(recorded):
             assert new[rows] == pytest.approx(old[rows], rel=1e-5, abs=1e-6), column
 
 
-def test_loadedSceneGoesOnWithItsSeries(tmp_path):
-    """What came after the saved moment is written again, all else stays; nothing is twice. One thread: the same bytes."""
-    folder, saved = str(tmp_path / 'series'), str(tmp_path / 'scene.yade.gz')
-    scene(1500, folder=folder, iterPeriod=500)
-    O.save(saved)
-    first = os.path.join(folder, Series(folder, 'surfaces').entries()[1].file)
-    written = os.stat(first).st_mtime_ns
-    O.run(2000, True)
-    whole = {name: Series(folder, name).entries() for name in ('particles', 'surfaces', 'contacts', 'container')}
-    contents = [open(os.path.join(folder, entry.file), 'rb').read() for entry in whole['particles']]
-    O.load(saved)
-    O.run(700, True)
-    assert len(Series(folder, 'contacts').entries()) < len(whole['contacts'])
-    assert len(os.listdir(os.path.join(folder, 'contacts'))) == len(Series(folder, 'contacts').entries())
-    O.run(1300, True)
-    assert {name: Series(folder, name).entries() for name in whole} == whole
-    if O.numThreads == 1:
-        assert [open(os.path.join(folder, entry.file), 'rb').read() for entry in whole['particles']] == contents
-    assert os.stat(first).st_mtime_ns == written
-    assert not [name for _, _, names in os.walk(folder) for name in names if name.endswith('.part')]
-
-
-def test_newRunBeginsTheSeriesAnew(tmp_path):
-    for _ in range(2):
-        scene(1100, folder=str(tmp_path), iterPeriod=500)
-        assert [entry.step for entry in Series(str(tmp_path), 'particles').entries()] == [0, 500, 1000]
-    assert len(os.listdir(tmp_path / 'particles')) == 3
-
-
 def test_pointsOnly(tmp_path):
     """A bed without surfaces takes a small part of the disk, and the surfaces can be had from it again."""
     scene(500, folder=str(tmp_path / 'points'), iterPeriod=400, surfaces=False, container=False)
@@ -228,19 +171,6 @@ def test_contactsAcrossThePeriodicBorderAreShort(tmp_path):
     assert line['contactPoint'][0] == pytest.approx(middle, abs=1e-6)
 
 
-def test_readersFindCompleteFilesOnly(tmp_path):
-    """Whoever reads while a run goes on finds each file that the .pvd names."""
-    scene(2, folder=str(tmp_path), iterPeriod=20)
-    O.run(600)
-    seen = 0
-    while O.running:
-        for entry in Series(str(tmp_path), 'surfaces').entries()[-2:]:
-            assert pyvista.read(str(tmp_path / entry.file)).n_points > 0
-            seen += 1
-        time.sleep(0.01)
-    assert seen > 5
-
-
 @pytest.mark.parametrize('arguments, words', [
     (dict(), 'iterPeriod = None'), (dict(iterPeriod=0), 'iterPeriod = 0'), (dict(iterPeriod=2.5), 'iterPeriod = 2.5'),
     (dict(virtPeriod=-1), 'virtPeriod = -1'), (dict(virtPeriod='x'), "virtPeriod = 'x'"), (dict(realPeriod=float('nan')), 'realPeriod = nan'),
@@ -257,70 +187,7 @@ def test_badInput(tmp_path, arguments, words):
     assert not target.exists()
 
 
-def test_chosenParticlesMayGo(tmp_path):
-    """As when they break: the rest is recorded."""
-    scene(1)
-    chosen = [body.id for body in particleBodies()][:3]
-    O.engines = O.engines + [sq.vtkRecorder(str(tmp_path), iterPeriod=1, ids=(i for i in chosen))]
-    O.step()
-    assert list(last(tmp_path, 'particles')['id']) == chosen
-    O.bodies.erase(chosen[1])
-    O.step()
-    assert list(last(tmp_path, 'particles')['id']) == [chosen[0], chosen[2]]
-    O.bodies.erase(chosen[0]), O.bodies.erase(chosen[2])
-    O.step()
-    assert last(tmp_path, 'particles').n_points == 0
-
-
-def test_removingASeriesLeavesWhatIsNotIts(tmp_path):
-    folder = tmp_path / 'vtk'
-    scene(1, folder=str(folder), iterPeriod=1)
-    for name in ('mine.txt', 'surfaces/surfaces.vtp'):
-        (folder / name).write_text('mine')
-    vtkrecorder.remove(str(folder))
-    assert sorted(os.listdir(folder)) == ['mine.txt', 'surfaces'] and os.listdir(folder / 'surfaces') == ['surfaces.vtp']
-    (folder / 'mine.txt').unlink(), (folder / 'surfaces' / 'surfaces.vtp').unlink()
-    vtkrecorder.remove(str(folder))
-    assert not folder.exists()
-    vtkrecorder.remove(str(folder))
-
-
-def test_seriesOfOtherProgramsAreRefused(tmp_path):
-    scene(1, folder=str(tmp_path), iterPeriod=1)
-    file = tmp_path / Series(str(tmp_path), 'particles').entries()[0].file
-    pyvista.Sphere().save(str(file))
-    with pytest.raises(ValueError, match="another program's"):
-        RecordedSeries(str(tmp_path))[0]
-    (tmp_path / 'particles.pvd').write_text('<VTKFile><Collection><DataSet timestep="0" file="moment"/></Collection></VTKFile>')
-    with pytest.raises(ValueError, match="particles.pvd: is damaged, or another program's"):
-        RecordedSeries(str(tmp_path))
-
-
 def test_aSliceOfASeriesIsReadWhenItIsAskedFor(recorded):
     series = RecordedSeries(str(recorded))
     part = series[1::2]
     assert isinstance(part, RecordedSeries) and [frame.step for frame in part] == [series[1].step, series[3].step] and len(series) == 5
-
-
-def test_damagedSeriesIsRefused(tmp_path):
-    scene(1, folder=str(tmp_path), iterPeriod=1)
-    file = tmp_path / Series(str(tmp_path), 'particles').entries()[0].file
-    content = file.read_bytes()
-    for share in (0.0, 0.1, 0.7, 0.99):
-        file.write_bytes(content[:int(share * len(content))])
-        with pytest.raises(ValueError, match='is damaged'):
-            RecordedSeries(str(tmp_path))[0]
-    (tmp_path / 'particles.pvd').write_text('<VTKFile')
-    for attempt in (lambda: RecordedSeries(str(tmp_path)), lambda: vtkrecorder.record(str(tmp_path))):
-        with pytest.raises(ValueError, match='particles.pvd: is damaged'):
-            attempt()
-    with pytest.raises(ValueError, match='no recorded series'):
-        RecordedSeries(str(tmp_path / 'nowhere'))
-
-
-def test_folderThatIsAFileIsRefused(tmp_path):
-    (tmp_path / 'file').write_text('mine')
-    O.reset()
-    with pytest.raises(OSError):
-        sq.vtkRecorder(str(tmp_path / 'file'), iterPeriod=1)
-    assert (tmp_path / 'file').read_text() == 'mine'
