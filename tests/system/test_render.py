@@ -253,7 +253,7 @@ def test_azimuthCountsFromXCounterclockwise(seen):
         O.reset()
         ball(*place), cube(-place[0], -place[1])
         image, _ = seen(colour='kind', azimuth=azimuth, elevation=10)
-        middle, half = image.shape[0] // 2, image.shape[1] // 2
+        half = image.shape[1] // 2
         sides = [part[(part.min(axis=2) < 200)].mean(axis=0) for part in (image[:, :half], image[:, half:])]
         kinds = [nearest(side, *renderpieces.KINDS[:2]) for side in sides]
         assert kinds == [1, 0], f'the sphere, the first kind, is on the right from {azimuth}'
