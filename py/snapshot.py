@@ -4,8 +4,7 @@ import zlib
 
 import numpy as np
 
-from yade import O
-from yade.wrapper import Sphere, Superquadric
+from . import bodyarrays
 
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
 # What numpy raises where a file is not what it wrote.
@@ -30,14 +29,14 @@ class Snapshot:
 
     @classmethod
     def ofBodies(cls, ids):
-        """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene."""
-        bodies = [O.bodies[i] for i in ids]
-        described = [(body, *_describe(body.shape)) for body in bodies if isinstance(body.shape, (Sphere, Superquadric))]
-        return cls(ids=np.array([body.id for body, _, _ in described], dtype=int),
-                   positions=np.array([tuple(body.state.pos) for body, _, _ in described]).reshape(-1, 3),
-                   rotations=np.array([matrix(body.state.ori) for body, _, _ in described]).reshape(-1, 3, 3),
-                   extents=np.array([extents for _, extents, _ in described]).reshape(-1, 3),
-                   exponents=np.array([exponents for _, _, exponents in described]).reshape(-1, 2))
+        """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene, in that order (None: all); in a periodic
+        scene inside the cell.
+
+        :raises ValueError: a body that is not in the scene; TypeError: ids that are no whole numbers
+        """
+        rows = bodyarrays.particles(ids)
+        return cls(ids=rows['id'].copy(), positions=rows['position'].copy(), rotations=bodyarrays.matrices(rows['orientation']),
+                   extents=rows['extents'].copy(), exponents=rows['exponents'].copy())
 
     def save(self, path):
         np.savez_compressed(path, **{name: getattr(self, name) for name in self.ARRAYS})
@@ -74,12 +73,6 @@ def boxHalfHeights(snapshot):
     """Half extents (N, 3) [m] of boxes along the scene's axes that hold the particles (of their own boxes: they are
     a little too large)."""
     return np.einsum('nij,nj->ni', np.abs(snapshot.rotations), snapshot.extents)
-
-
-def _describe(shape):
-    if isinstance(shape, Sphere):
-        return (shape.radius,) * 3, (2.0, 2.0)
-    return tuple(shape.extents), (shape.n1, shape.n2)
 
 
 def matrix(orientation):
