@@ -3,7 +3,9 @@
 # classes, which lie in its libraries, for foreign ones.
 set(geometryOptimisation -O3)
 set(pluginOptimisation $<$<CONFIG:Release>:-O2>)
+set(testTimeLimit 300) # [s] for one C++ test
 if(SANITIZE)
+  set(testTimeLimit 7200)
   set(CMAKE_CXX_FLAGS_RELEASE "-O1")
   set(geometryOptimisation "")
   set(pluginOptimisation "")
