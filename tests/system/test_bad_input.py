@@ -12,6 +12,8 @@ from yade.wrapper import CurvatureMat, Superquadric
 import yade.superquadric as sq
 from yade.superquadric.parameters import checked, criticalImpactStep
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 NAN, INF = float('nan'), float('inf')
 
@@ -177,7 +179,7 @@ def test_unknownParameter():
 
 def runScript(*arguments, script='impact.py'):
     command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', script), *arguments]
-    return subprocess.run(command, capture_output=True, text=True, timeout=60)
+    return subprocess.run(command, capture_output=True, text=True, timeout=LIMIT)
 
 
 @pytest.mark.parametrize('arguments, message', [

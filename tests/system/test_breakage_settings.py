@@ -12,6 +12,7 @@ from yade.wrapper import BreakageEngine
 import yade.superquadric as sq
 
 from breakagescene import RADIUS, Motion, material, singleThread
+from timelimit import LIMIT
 
 SMALLEST = 1.6e-3       # no fragment is smaller [m]
 STEP = 0.1              # time step over the critical one of that size
@@ -117,7 +118,7 @@ def test_twoThreadsBreakAsOneDoes(tmp_path):
                           f'import test_breakage_settings\ntest_breakage_settings.crush({str(output)!r})\n')
         # Threads that wait must not spin: on a busy machine they would keep each other from working.
         done = subprocess.run(['yade', f'-j{threads}', '-n', '-x', script], env={**os.environ, 'OMP_WAIT_POLICY': 'passive'}, capture_output=True,
-                              text=True, timeout=200)
+                              text=True, timeout=LIMIT)
         assert output.exists(), done.stdout + done.stderr
         found.append(json.loads(output.read_text()))
     one, two = found

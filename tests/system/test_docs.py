@@ -11,6 +11,8 @@ import docblocks
 import pytest
 from yade import O
 
+from timelimit import LIMIT
+
 PROJECT = Path(__file__).resolve().parents[2]
 PAGES = [PROJECT / 'README.md', *sorted((PROJECT / 'docs').glob('*.md'))]
 CONSOLE = dict(vars(__main__))  # the names that YADE's console offers: pytest runs in one
@@ -56,7 +58,7 @@ def helpOf(script):
     program = ['python3'] if script == 'scripts/study.py' else ['yade', '-n', '-x']
     if not script.startswith('scripts/'):
         program = []
-    done = subprocess.run([*program, str(PROJECT / script), '--help'], capture_output=True, text=True, timeout=60)
+    done = subprocess.run([*program, str(PROJECT / script), '--help'], capture_output=True, text=True, timeout=LIMIT)
     assert done.returncode == 0, f'{script} --help: {done.stderr}'
     return done.stdout
 

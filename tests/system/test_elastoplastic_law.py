@@ -12,6 +12,8 @@ from yade.wrapper import CurvatureMat, ElastoplasticMat, ElastoplasticPhys, Inse
 
 import yade.superquadric as sq
 
+from timelimit import LIMIT
+
 SIZE = 5e-3  # [m]
 SOFT = dict(young=1e8, poisson=0.3, density=2500, frictionAngle=0.4, normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.02,
             rollingDamping=0.1, yieldStress=1e5, m0=2.5, exponent=1.8)  # of the material that yields, at a few cm/s
@@ -208,7 +210,7 @@ def test_a_material_that_yields_never_meets_the_law_that_does_not_know_it(tmp_pa
     script = tmp_path / 'later.py'
     script.write_text(LATER)
     command = [sys.executable, sys.yade_argv[0], '-n', '-x', str(script)]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, cwd=tmp_path, env={**os.environ, 'OMP_NUM_THREADS': '1'})
+    done = subprocess.run(command, capture_output=True, text=True, timeout=LIMIT, cwd=tmp_path, env={**os.environ, 'OMP_NUM_THREADS': '1'})
     assert 'it went on' not in done.stdout
     assert 'an ElastoplasticMat that yields needs Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys' in done.stdout + done.stderr
 

@@ -17,6 +17,8 @@ from yade.superquadric import plots, render, report, results, sealed
 from yade.superquadric.parameters import checked
 from yade.superquadric.impact import supportForce, surfaceSpeed
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 SMALL_OPTIONS = [text for name, value in SMALL.items() for text in ('--' + name, str(value))]
@@ -55,7 +57,7 @@ def test_animationOfTheImpact(small):
 def test_seriesForParaView(tmp_path):
     """--vtk: frames at equal times from the start of the impact, at all of which the impactor is there."""
     done = script(tmp_path, *SMALL_OPTIONS, '--particles', '20', '--noPictures', '--vtk')
-    assert done.communicate(timeout=200) and done.returncode == 0
+    assert done.communicate(timeout=LIMIT) and done.returncode == 0
     series = sq.RecordedSeries(str(tmp_path / 'vtk'))
     times = [moment.time for moment in series.moments]
     steps = {round((later - earlier) / 1.5e-4, 1) for earlier, later in zip(times, times[1:])}
@@ -149,7 +151,7 @@ def test_batchTable(tmp_path):
                      "flat 'sphere' 0.01 0.06 0.02\nhigh 'sphere' 0.02 0.06 0.02\n")
     command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'impact.py'), '--noPictures']
     done = subprocess.run(command, cwd=tmp_path, env={**os.environ, 'YADE_BATCH': f'{table}:3'}, capture_output=True,
-                          text=True, timeout=100)
+                          text=True, timeout=LIMIT)
     assert done.returncode == 0, done.stderr
     parameters = results.readJson(str(tmp_path / 'results' / 'high' / 'summary.json'))['parameters']
     assert parameters == checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
@@ -168,15 +170,15 @@ def test_ctrlCLeavesACheckpointThatResumes(small, tmp_path):
     while first.poll() is None and 'step' not in first.stderr.readline():
         time.sleep(0.05)
     first.send_signal(signal.SIGINT)
-    _, message = first.communicate(timeout=30)
+    _, message = first.communicate(timeout=LIMIT)
     assert first.returncode == 130 and '--resume' in message and 'Traceback' not in message
     assert (output / 'checkpoint.yade.gz').exists() and not (output / 'summary.json').exists()
     O.load(str(output / 'checkpoint.yade.gz'))
     assert len(O.bodies) == 2 + small[1]['particle']['number']
     again = script(output, *SMALL_OPTIONS)  # --resume forgotten
-    assert 'holds an interrupted run; use --resume' in again.communicate(timeout=30)[1] and again.returncode == 2
+    assert 'holds an interrupted run; use --resume' in again.communicate(timeout=LIMIT)[1] and again.returncode == 2
     second = script(output, '--resume', '--noPictures')
-    text, _ = second.communicate(timeout=100)
+    text, _ = second.communicate(timeout=LIMIT)
     assert second.returncode == 0 and 'peak P' in text
     assert (output / 'force.csv').read_bytes() == (small[0] / 'force.csv').read_bytes()
     assert sorted(os.listdir(output)) == [name for name in FILES if not name.endswith(('png', 'gif'))]
@@ -216,7 +218,7 @@ def test_stoppedAtAnyStepItEqualsTheUninterruptedRun(small, tmp_path, monkeypatc
 def test_blowThatDoesNotArriveKeepsItsRecord(tmp_path):
     output = tmp_path / 'short'
     done = script(output, *SMALL_OPTIONS, '--noPictures', '--particles', '20', '--maxImpactTime', '1e-4')
-    _, message = done.communicate(timeout=100)
+    _, message = done.communicate(timeout=LIMIT)
     assert done.returncode == 2 and 'Traceback' not in message
     assert 'no blow reached the base' in message and 'maxImpactTime' in message
     assert len(record(output)['time']) >= 100
@@ -280,7 +282,7 @@ def test_failedPicturesCostNoResults(tmp_path, monkeypatch):
 def test_aSeriesBelongsToTheImpact(tmp_path):
     """Not to the bed."""
     done = script(tmp_path / 'bed', '--bedOnly', '--vtk')
-    message = done.communicate(timeout=100)[1]
+    message = done.communicate(timeout=LIMIT)[1]
     assert done.returncode == 2 and 'vtk: the series is of the impact' in message and not (tmp_path / 'bed').exists()
     run = sq.ImpactRun.inFolder(str(tmp_path), {'parameters': checked(SMALL), 'vtk': True}, stream=None)
     assert 'vtk' not in run.state
@@ -288,5 +290,5 @@ def test_aSeriesBelongsToTheImpact(tmp_path):
 
 def test_aFinishedBedIsNotPouredAgain(tmp_path):
     done = script(tmp_path / 'new', '--bed', str(tmp_path), '--bedOnly')
-    message = done.communicate(timeout=100)[1]
+    message = done.communicate(timeout=LIMIT)[1]
     assert done.returncode == 2 and 'bedOnly: the bed in' in message and not (tmp_path / 'new').exists()

@@ -14,6 +14,8 @@ import pytest
 
 from yade.superquadric import parallel
 
+from timelimit import LIMIT
+
 SCENE, REFUSALS = (Path(__file__).with_name(name) for name in ('parallelscene.py', 'parallelrefusals.py'))
 STEPS = 400
 ROUNDING = 1e-8
@@ -24,7 +26,7 @@ ENVIRONMENT = {**os.environ, 'OMPI_ALLOW_RUN_AS_ROOT': '1', 'OMPI_ALLOW_RUN_AS_R
 def launch(ranks, threads, *arguments):
     launcher = [] if ranks == 1 else ['mpirun', '--oversubscribe', '-np', str(ranks)]
     return subprocess.run([*launcher, 'yade', '-n', '-x', f'-j{threads}', *map(str, arguments)], env=ENVIRONMENT, stdin=subprocess.DEVNULL,
-                          capture_output=True, text=True, timeout=300)
+                          capture_output=True, text=True, timeout=LIMIT)
 
 
 @pytest.fixture(scope='module')

@@ -16,6 +16,7 @@ from yade.superquadric.engines import engine, minHalfSize
 from yade.superquadric.oedometer import OedometerRun
 
 from smalloedometer import SMALL
+from timelimit import LIMIT
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -52,7 +53,7 @@ def test_resultsAreComplete(small):
 def script(output, **options):
     command = [sys.executable, sys.yade_argv[0], '-n', '-x', os.path.join(PROJECT, 'scripts', 'oedometer.py'), '--output', str(output), '--quiet']
     texts = [text for name, value in {**SMALL, **options}.items() for text in (f'--{name}', str(value))]
-    return subprocess.run([*command, *texts], capture_output=True, text=True, timeout=100)
+    return subprocess.run([*command, *texts], capture_output=True, text=True, timeout=LIMIT)
 
 
 def test_theScriptFromEndToEnd(tmp_path):

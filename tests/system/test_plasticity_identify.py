@@ -8,6 +8,8 @@ import pytest
 from yade.superquadric.plasticity import cases, fit, materialfile
 from yade.superquadric.plasticity.identify import Identification
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 METAL = {'name': 'Metal', 'source': 'made up for tests', 'young': 7e10, 'poisson': 0.33, 'density': 2700.0, 'yieldStress': 3e8,
          'stressStrain': [[0.0, 3e8], [0.01, 3.6e8], [0.5, 6e8]]}
@@ -18,7 +20,7 @@ EQUAL = {f'{d}-{d}': (d * 1e-3, d * 1e-3) for d in (5, 10, 20)}   # the quickest
 def command(*arguments):
     environment = {**os.environ, 'PYTHONPATH': os.path.join(os.environ['YADE_PREFIX'], 'python')}
     return subprocess.run([sys.executable, os.path.join(PROJECT, 'scripts', 'identify_plasticity.py'), *arguments], capture_output=True,
-                          text=True, timeout=60, env=environment)
+                          text=True, timeout=LIMIT, env=environment)
 
 
 def test_whole_way(tmp_path, monkeypatch):

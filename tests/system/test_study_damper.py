@@ -17,6 +17,8 @@ from yade.superquadric.study.dampers import DAMPERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SMALL = dict(particles=40, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, particleMass=0.03, boxMass=0.1, stiffness=4000,
              forceAmplitude=5, transientTime=0.03, periods=4, samples=40, softening=1e4, settlingTime=0.05)
@@ -39,7 +41,7 @@ def sweep(tmp_path_factory):
 
     def run():
         done = subprocess.run([sys.executable, os.path.join(PROJECT, 'scripts', 'study.py'), folder / 'study.yaml', '--output', folder / 'out',
-                               '--cores', '1'], env=environment, capture_output=True, text=True, timeout=200)
+                               '--cores', '1'], env=environment, capture_output=True, text=True, timeout=LIMIT)
         assert done.returncode == 0, done.stderr
         return done.stdout
     text = run()

@@ -21,6 +21,8 @@ from yade.superquadric.study.impacts import IMPACTS
 from yade.superquadric.study.page import drawStudy
 from yade.superquadric.study.quantities import QUANTITIES, counted
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
 VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
@@ -49,7 +51,7 @@ def drawn(tmp_path_factory):
 def draw(folder, expected=0):
     done = subprocess.run([sys.executable, os.path.join(PROJECT, 'scripts', 'study', 'draw.py'), '--plan', folder / 'plan.json', '--table',
                            folder / 'results.csv', '--records', folder / 'impacts', '--output', folder / 'figures'],
-                          capture_output=True, text=True, timeout=120,
+                          capture_output=True, text=True, timeout=LIMIT,
                           env={**os.environ, 'PYTHONPATH': os.path.dirname(os.path.dirname(yade.__file__))})
     assert done.returncode == expected, done.stderr
     return done

@@ -18,6 +18,7 @@ from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
 from smalloedometer import SMALL
+from timelimit import LIMIT
 
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 FIGURES = ('gradings', 'stresses', 'contacts')
@@ -36,7 +37,7 @@ def study(tmp_path_factory):
     (folder / 'study.yaml').write_text(yaml.safe_dump(STUDY))
     environment = {**os.environ, 'PYTHONPATH': os.path.dirname(os.path.dirname(os.path.abspath(yade.__file__)))}
     done = subprocess.run([sys.executable, os.path.join(PROJECT, 'scripts', 'study.py'), folder / 'study.yaml', '--output', folder / 'out',
-                           '--cores', '1'], env=environment, capture_output=True, text=True, timeout=200)
+                           '--cores', '1'], env=environment, capture_output=True, text=True, timeout=LIMIT)
     assert done.returncode == 0, done.stderr
     for sentence in ('supported     the volume is kept', 'supported     the others do not break', 'contradicted  nothing breaks'):
         assert sentence in done.stdout

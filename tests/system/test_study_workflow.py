@@ -16,6 +16,8 @@ import yaml
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
 
+from timelimit import LIMIT
+
 PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SCRIPT = os.path.join(PROJECT, 'scripts', 'study.py')
 STUDY = {'title': 'Test', 'seeds': [1, 2], 'groups': {'layers': {
@@ -42,7 +44,7 @@ class Study:
     def run(self, *options):
         """(exit code, stdout, stderr)"""
         process = self.start(*(options or ('--cores', '2')))
-        out, error = process.communicate(timeout=100)
+        out, error = process.communicate(timeout=LIMIT)
         return process.returncode, out, error
 
     def order(self, kind, name):
@@ -117,7 +119,7 @@ def test_killedAndStoppedStudiesGoOn(tmp_path):
 def killJob(study, run):
     """The others are finished, the table holds them. Returns their results."""
     process, _ = killed(study, (False, False, True))
-    error = process.communicate(timeout=60)[1]
+    error = process.communicate(timeout=LIMIT)[1]
     assert process.returncode == 1
     assert 'not all was made: 3 of 4 impacts are finished and in the table' in error and f'logs/impacts/{run}.log' in error
     assert len((study.output / 'results.csv').read_text().splitlines()) == 1 + 3
@@ -129,7 +131,7 @@ def killParents(study, run, finished):
     """Kill study.py, which takes snakemake with it, then snakemake alone: the job leaves its checkpoint."""
     for victims in ((True, False, False), (False, True, False)):
         process, pids = killed(study, victims)
-        process.communicate(timeout=60)
+        process.communicate(timeout=LIMIT)
         waitFor(lambda: not any(map(alive, pids)), 'end of the job')
         assert (study.output / 'impacts' / run / 'checkpoint.json').exists()
         assert study.results() == finished
@@ -141,7 +143,7 @@ def interrupt(study, finished):
     code, _, error = study.run()
     assert code == 2 and error.splitlines()[-1].endswith('another study.py is at work there')
     process.send_signal(signal.SIGINT)
-    error = process.communicate(timeout=60)[1]
+    error = process.communicate(timeout=LIMIT)[1]
     assert process.returncode == 130 and '3 of 4 impacts are finished. The same command goes on.' in error
     assert not any(map(alive, pids)) and study.results() == finished
 

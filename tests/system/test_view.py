@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy
 import pytest
 
+from timelimit import LIMIT
+
 COLOURS = {'red': (1, 0, 0), 'green': (0, 1, 0), 'blue': (0, 0, 1), 'yellow': (1, 1, 0), 'magenta': (1, 0, 1), 'cyan': (0, 1, 1)}
 BITS = numpy.array([1, 2, 4])
 SATURATED = 40  # [of 255]; the difference between the channels of a coloured pixel, and none of a grey one
@@ -23,7 +25,7 @@ def pictures(tmp_path_factory):
     command = ['xvfb-run', '-a', 'yade', '-x', str(Path(__file__).with_name('viewscene.py')), str(path)]
     run = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
     try:
-        said, _ = run.communicate(timeout=120)
+        said, _ = run.communicate(timeout=LIMIT)
     finally:
         if run.poll() is None:  # the X server and YADE too
             os.killpg(run.pid, signal.SIGKILL)
