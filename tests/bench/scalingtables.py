@@ -10,6 +10,7 @@ import numpy as np
 from tables import machineLine, spread, table
 
 MIB = 2 ** 20
+WINDOWS, FLOOR = 25, 1e-17  # of the figure of agreement
 QUANTITIES = {"momentum": slice(2, 5), "force": slice(5, 8), "energy": slice(8, None)}  # columns of the totals in parallel_bed.py
 
 
@@ -106,14 +107,20 @@ def draw(result, path):
     figure, (times, memory, agreement) = pyplot.subplots(1, 3, figsize=(14, 4), layout="constrained")
     if "scenes" in result:
         drawSizes(times, memory, scenes(result))
-    styles = {0: "-", 3: "--"}
+    styles = {0: "o-", 3: "s--"}
     for each in result.get("agreement", {"runs": ()})["runs"]:
         label = f"{'at rest' if each['speed'] == 0 else 'hit'}, {each['ranks']} processes"
-        agreement.semilogy(1e3 * np.array(each["times"]), np.maximum(each["force"], 1e-17), styles[each["speed"]], linewidth=0.8, label=label)
-    agreement.set(xlabel="time [ms]", ylabel="difference of the base force / its largest value")
-    agreement.legend(fontsize="small")
+        agreement.semilogy(*largestInTurn(1e3 * np.array(each["times"]), each["force"]), styles[each["speed"]], label=label)
+    agreement.set(xlabel="time [ms]", ylabel="difference of the base force / its largest value", ylim=(FLOOR / 2, 1e-12))
+    agreement.legend(fontsize="small", loc="upper right")
     figure.savefig(path, dpi=110)
     pyplot.close(figure)
+
+
+def largestInTurn(times, values):
+    """The largest value of each of WINDOWS parts of the time, and where the parts begin; at least FLOOR, for an axis that is logarithmic."""
+    parts = np.array_split(np.maximum(values, FLOOR), WINDOWS)
+    return [part[0] for part in np.array_split(times, WINDOWS)], [part.max() for part in parts]
 
 
 def drawSizes(times, memory, known):
@@ -123,5 +130,5 @@ def drawSizes(times, memory, known):
     times.set(xlabel="bodies", ylabel="wall clock of a step and body [us]", ylim=(0, None))
     times.legend()
     points = [(count, np.median([sample["memory"][2] for sample in samples]) / MIB) for (count, *used), samples in known if used == [1, 1]]
-    memory.loglog(*zip(*points), "o-")
-    memory.set(xlabel="bodies", ylabel="memory of the process [MiB]")
+    memory.semilogx(*zip(*points), "o-")
+    memory.set(xlabel="bodies", ylabel="memory of the process [MiB]", ylim=(0, None))
