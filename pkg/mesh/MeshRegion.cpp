@@ -13,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 
 #include <pkg/geometry/Bounds.hpp>
@@ -134,7 +133,7 @@ MeshRegion::MeshRegion(const TriangleMesh& mesh, const std::string& name)
         : search_(std::make_unique<Search>())
 {
 	const Facing facing = checkMesh(mesh, name, /*closed*/ true);
-	pmp::polygon_soup_to_polygon_mesh(cgal::pointsOf(mesh), mesh.triangles, search_->surface);
+	search_->surface = cgal::surfaceOf(mesh);
 	if (facing == Facing::inward) pmp::reverse_face_orientations(search_->surface);
 	search_->tree.insert(faces(search_->surface).first, faces(search_->surface).second, search_->surface);
 	search_->tree.build();
