@@ -167,9 +167,13 @@ double MeshRegion::volumeWithin(const ClippedSolid& solid, const Placement& body
 			}
 		}
 	std::vector<Triangle> triangles;
-	for (const auto face : fewest)
+	for (const auto face : fewest) {
 		triangles.push_back(search_->corners(face));
-	return volumeBefore(triangles, u, solid, boxOf(body));
+		for (Vector3& corner : triangles.back())
+			corner -= body.position;
+	}
+	const Vector3 half = boxHalfExtents(body.shape, body.rotation);
+	return volumeBefore(triangles, u, solid, { -half, half });
 }
 
 } // namespace superquadric
