@@ -3,6 +3,8 @@ import numpy as np
 
 from yade.wrapper import BodyArrays
 
+from .bodies import present
+
 SPHERE, SUPERQUADRIC, WALL, CYLINDER, FACET = range(5)  # kinds of shapes
 
 # The rows of pkg/view/BodyArrays.hpp. SI units; vectors along the scene's axes; a quaternion is (x, y, z, w).
@@ -24,7 +26,7 @@ def particles(ids=None):
 
     :raises ValueError: a body that is not in the scene
     """
-    return np.frombuffer(BodyArrays().particles(ids if ids is None else [int(i) for i in ids]), PARTICLE)
+    return np.frombuffer(BodyArrays().particles(ids if ids is None else present('ids', ids)), PARTICLE)
 
 
 def contacts():

@@ -7,6 +7,8 @@ import numpy as np
 from yade import O
 from yade.wrapper import Sphere, Superquadric
 
+from .bodies import present
+
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
 # What numpy raises where a file is not what it wrote.
 DAMAGE = (ValueError, TypeError, KeyError, EOFError, AttributeError, MemoryError, NotImplementedError, SyntaxError, zipfile.BadZipFile, zlib.error)
@@ -30,8 +32,11 @@ class Snapshot:
 
     @classmethod
     def ofBodies(cls, ids):
-        """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene."""
-        bodies = [O.bodies[i] for i in ids]
+        """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene.
+
+        :raises ValueError: a body that is not in the scene
+        """
+        bodies = [O.bodies[i] for i in present('ids', ids)]
         described = [(body, *_describe(body.shape)) for body in bodies if isinstance(body.shape, (Sphere, Superquadric))]
         return cls(ids=np.array([body.id for body, _, _ in described], dtype=int),
                    positions=np.array([tuple(body.state.pos) for body, _, _ in described]).reshape(-1, 3),
