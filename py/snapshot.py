@@ -1,17 +1,13 @@
 """Where all particles are, as arrays: what the measures and the pictures work on, independent of the scene."""
-import zipfile
-import zlib
-
 import numpy as np
 
 from yade import O
 from yade.wrapper import Sphere, Superquadric
 
+from . import arrayfile
 from .bodies import present
 
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
-# What numpy raises where a file is not what it wrote.
-DAMAGE = (ValueError, TypeError, KeyError, EOFError, AttributeError, MemoryError, NotImplementedError, SyntaxError, zipfile.BadZipFile, zlib.error)
 
 
 class Snapshot:
@@ -53,11 +49,7 @@ class Snapshot:
 
         :raises ValueError: naming the file, which holds something else
         """
-        try:
-            with open(path, 'rb') as file, np.load(file) as stored:
-                result = cls(**{name: stored[name] for name in cls.ARRAYS})
-        except DAMAGE as error:
-            raise ValueError(f'{path}: damaged ({type(error).__name__}: {error})') from None
+        result = cls(**arrayfile.read(path, cls.ARRAYS))
         if any(getattr(result, name).shape != (len(result.ids), *rest) for name, rest in SHAPES.items()):
             raise ValueError(f'{path}: damaged (its arrays do not have the shapes of a snapshot)')
         return result
