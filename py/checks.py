@@ -72,10 +72,10 @@ def wholeNumber(name, value, least, most=None):
 
 
 def path(name, value):
-    """`value` as the text of a path; TypeError for what is none."""
+    """`value` as the text of a path; TypeError for what is none. C++ cuts at null characters, and takes UTF-8 only."""
     result = os.fsdecode(value)
-    if '\0' in result:
-        raise ValueError(f'{name} = {value!r}: must have no null character')
+    if '\0' in result or any('\ud800' <= letter <= '\udfff' for letter in result):
+        raise ValueError(f'{name} = {value!r}: must be of UTF-8, without null characters')
     return result
 
 

@@ -123,7 +123,7 @@ def test_writingAnythingAnywhere(path, surface):
     if isinstance(path, str) and ('/' in path or '..' in path):
         path = path.replace('/', '').replace('..', '')
     before = sorted(os.listdir())
-    _, no = refused(lambda: sq.writeStl(path, surface), 'path', 'surface', 'encode', also=OSError)
+    _, no = refused(lambda: sq.writeStl(path, surface), 'path', 'surface', also=OSError)
     if no:
         assert sorted(os.listdir()) == before
     else:

@@ -99,5 +99,5 @@ def test_textsKeepAllDigits(file, points, eol):
 @fuzz(path=st.sampled_from(('', '.', '..', '/', '/dev/null', 'no such', 'nul\0l', 'x' * 5000, '\udc80')))
 def test_whatIsNoFile(path):
     for name in (path, os.path.join(path, 'x.stl')):
-        error, no = refused(lambda name=name: sq.readSurface(name), name, repr(name), 'encode')
+        error, no = refused(lambda name=name: sq.readSurface(name), name, repr(name))
         assert no and isinstance(error, ValueError)
