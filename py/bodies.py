@@ -5,8 +5,9 @@ is given by the sphere of equal volume, so that particles of all shapes in a stu
 """
 import math
 from collections import namedtuple
+from collections.abc import Iterable
 
-from yade import utils
+from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import Body, Superquadric
 
@@ -125,6 +126,17 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     body.aspherical = max(inertia) - min(inertia) > 1e-9 * max(inertia)
     body.mask = mask
     return body
+
+
+def present(name, ids):
+    """`ids` as a list of whole numbers, each of a body that is in the scene."""
+    if isinstance(ids, (str, bytes)) or not isinstance(ids, Iterable):
+        raise ValueError(f'{name} = {ids!r}: must be numbers of bodies')
+    numbers = [checks.wholeNumber(name, i, 0) for i in ids]
+    for i in numbers:
+        if i >= len(O.bodies) or O.bodies[i] is None:
+            raise ValueError(f'{name}: must be of bodies in the scene, got {checks.shown(i)}')
+    return numbers
 
 
 def rotation(orientation):

@@ -1,9 +1,9 @@
 """Bodies and contacts of the scene as numpy arrays, gathered in C++ in one pass (`BodyArrays`): no loop over bodies in Python."""
-from operator import index
-
 import numpy as np
 
 from yade.wrapper import BodyArrays
+
+from .bodies import present
 
 SPHERE, SUPERQUADRIC, WALL, CYLINDER, FACET = range(5)  # kinds of shapes
 
@@ -24,9 +24,9 @@ def particles(ids=None):
     in a periodic scene inside the cell; orientation: body to scene; velocity [m/s]; spin [rad/s]; volume [m3]; stress: mean stress [Pa],
     sum over the contacts of lever times force over the volume, tension positive; octahedralStress: its octahedral shear stress [Pa].
 
-    :raises ValueError: a body that is not in the scene; TypeError: ids that are no whole numbers
+    :raises ValueError: a body that is not in the scene
     """
-    return np.frombuffer(BodyArrays().particles(ids if ids is None else [index(i) for i in ids]), PARTICLE)
+    return np.frombuffer(BodyArrays().particles(ids if ids is None else present('ids', ids)), PARTICLE)
 
 
 def contacts():

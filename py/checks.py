@@ -1,9 +1,11 @@
 """Checks of what a user hands over: every function returns the accepted value or raises a ValueError that names
 the parameter and the value. They are called before anything is changed."""
 import math
+import os
 from collections.abc import Mapping, Set
 from numbers import Number
 
+STEPS = 10 ** 15  # of a run, at most: YADE counts them in 64 bits, and this many take years
 LARGEST = 1e30  # no quantity of a bed in SI units comes near it, nor near its inverse, and products of ten such do not overflow
 
 
@@ -61,12 +63,27 @@ def above(name, value, low, high):
     return number
 
 
-def wholeNumber(name, value, least):
-    """`value` as an int of at least `least`."""
+def wholeNumber(name, value, least, most=None):
+    """`value` as an int of at least `least`, and at most `most` (None: any)."""
     number = finite(name, value)
-    if number != int(number) or number < least:
-        raise ValueError(f'{name} = {value!r}: must be a whole number of at least {least}')
+    if number != int(number) or number < least or (most is not None and number > most):
+        raise ValueError(f'{name} = {value!r}: must be a whole number of at least {least}' + ('' if most is None else f' and at most {most}'))
     return value if type(value) is int else int(number)  # a float has not all digits of a large one
+
+
+def path(name, value):
+    """`value` as the text of a path; TypeError for what is none. C++ cuts at null characters, and takes UTF-8 only."""
+    result = os.fsdecode(value)
+    if '\0' in result or any('\ud800' <= letter <= '\udfff' for letter in result):
+        raise ValueError(f'{name} = {value!r}: must be of UTF-8, without null characters')
+    return result
+
+
+def text(name, value):
+    """`value` if it is a text."""
+    if not isinstance(value, str):
+        raise ValueError(f'{name} = {value!r}: must be a text')
+    return value
 
 
 def boolean(name, value):

@@ -3,7 +3,7 @@ import numpy as np
 
 from yade import O
 
-from . import bodyarrays
+from . import arrayfile, bodyarrays, checks
 from .wholefile import ReplacingBytes
 
 
@@ -12,12 +12,14 @@ class Frame:
 
     :ivar step: O.iter; :ivar time: O.time [s]
     :ivar particles, contacts, container: rows as in `bodyarrays`
+    :raises ValueError: other rows, a step or a time that is none
     """
 
     def __init__(self, particles, contacts=None, container=None, step=0, time=0.0):
-        self.particles, self.step, self.time = particles, int(step), float(time)
-        self.contacts = np.zeros(0, bodyarrays.CONTACT) if contacts is None else contacts
-        self.container = np.zeros(0, bodyarrays.BORDER) if container is None else container
+        self.particles = _rows('particles', particles, 'PARTICLE')
+        self.contacts = _rows('contacts', np.zeros(0, bodyarrays.CONTACT) if contacts is None else contacts, 'CONTACT')
+        self.container = _rows('container', np.zeros(0, bodyarrays.BORDER) if container is None else container, 'BORDER')
+        self.step, self.time = checks.wholeNumber('step', step, 0), checks.finite('time', time)
 
     @classmethod
     def ofScene(cls, ids=None):
@@ -47,8 +49,15 @@ class Frame:
 
     @classmethod
     def load(cls, path):
-        with np.load(path) as stored:
-            return cls(**{name: stored[name] for name in ('particles', 'contacts', 'container', 'step', 'time')})
+        """The frame in the file that `save` wrote.
+
+        :raises ValueError: naming the file, which holds something else
+        """
+        stored = arrayfile.read(path, ('particles', 'contacts', 'container', 'step', 'time'))
+        try:
+            return cls(**stored)
+        except ValueError as error:
+            raise ValueError(f'{path}: damaged ({error})') from None
 
     def speeds(self):
         """[m/s], (N,)"""
@@ -78,6 +87,12 @@ class Frame:
         points = np.concatenate([self.particles['position'] - half, self.particles['position'] + half, facets['numbers'].reshape(-1, 3),
                                  *map(_cylinderBox, cylinders)])
         return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else np.zeros((2, 3))
+
+
+def _rows(name, rows, kind):
+    if not (isinstance(rows, np.ndarray) and rows.ndim == 1 and rows.dtype == getattr(bodyarrays, kind)):
+        raise ValueError(f'{name}: must be rows of bodyarrays.{kind}')
+    return rows
 
 
 def _cylinderBox(cylinder):

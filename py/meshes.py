@@ -24,8 +24,8 @@ class Surface:
     name: str = 'surface'
 
     def __post_init__(self):
-        object.__setattr__(self, 'points', _table('points', self.points, np.float64))
-        object.__setattr__(self, 'triangles', _table('triangles', self.triangles, np.int32))
+        object.__setattr__(self, 'points', table('points', self.points, np.float64))
+        object.__setattr__(self, 'triangles', table('triangles', self.triangles, np.int32))
 
     def check(self, closed=True):
         """'outward', 'inward' or (without `closed`) 'open': how the triangles face.
@@ -45,9 +45,10 @@ def readSurface(path, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Iden
     :returns: `Surface`, not checked
     :raises ValueError: for a file that cannot be read, is no STL file or is cut short
     """
+    path = checks.path('path', path)
     scale, position, turn = checks.positive('scale', scale), checks.vector('position', position), matrix(rotation(orientation))
-    points, triangles = (np.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in zip(MeshFunctions.readStl(str(path)), (float, np.int32)))
-    return Surface(scale * points @ np.transpose(turn) + position, triangles, str(path))
+    points, triangles = (np.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in zip(MeshFunctions.readStl(path), (float, np.int32)))
+    return Surface(scale * points @ np.transpose(turn) + position, triangles, path)
 
 
 def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity, wire=True, color=None):
@@ -70,14 +71,31 @@ def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), ori
 
 
 def writeStl(path, surface):
-    """Write a `Surface` as a binary STL file: single precision, seven digits of each coordinate."""
-    corners = surface.points[surface.triangles]
+    """Write a `Surface` as a binary STL file: single precision, seven digits of each coordinate.
+
+    :raises ValueError: coordinates that single precision does not hold, triangles of points that are not there
+    """
+    corners = _corners(surface)
     triangles = np.zeros(len(corners), dtype=_STL_TRIANGLE)
     triangles['corners'] = corners
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     triangles['normal'] = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
     with ReplacingBytes(path) as file:
         file.write(_STL_HEADER + np.uint32(len(triangles)).tobytes() + triangles.tobytes())
+
+
+def _corners(surface):
+    """Of the triangles (M, 3, 3) [m], which an STL file can hold."""
+    if not isinstance(surface, Surface):
+        raise ValueError(f'surface = {surface!r}: must be a Surface')
+    outside = (surface.triangles < 0) | (surface.triangles >= len(surface.points))
+    if outside.any():
+        raise ValueError(f'triangles must be indices of points, got {surface.triangles[outside][0]}')
+    corners = surface.points[surface.triangles]
+    large = np.isfinite(corners) & (np.abs(corners) > np.finfo('f4').max)
+    if large.any():
+        raise ValueError(f'points must be within single precision, got {float(corners[large][0])!r}')
+    return corners
 
 
 def particlesToStl(path, ids, error):
@@ -97,14 +115,15 @@ def particlesToStl(path, ids, error):
     writeStl(path, Surface(np.vstack(points), np.vstack(triangles)))
 
 
-def _table(name, rows, kind):
+def table(name, rows, kind):
+    """`rows` as an array (N, 3) of the `kind` float64 or int32."""
     try:
         with np.errstate(invalid='ignore'):
-            table = np.ascontiguousarray(rows, dtype=kind)
+            result = np.ascontiguousarray(rows, dtype=kind)
     except (TypeError, ValueError, OverflowError):
-        table = np.empty(0)
-    if table.ndim != 2 or table.shape[1] != 3:
+        result = np.empty(0)
+    if result.ndim != 2 or result.shape[1] != 3:
         raise ValueError(f'{name}: must be rows of three numbers')
-    if kind is np.int32 and not np.array_equal(table, np.asarray(rows)):  # 0.9 would become 0
+    if kind is np.int32 and not np.array_equal(result, np.asarray(rows)):  # 0.9 would become 0
         raise ValueError(f'{name}: must be rows of three whole numbers')
-    return table
+    return result

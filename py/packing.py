@@ -4,6 +4,7 @@ from collections import namedtuple
 import numpy as np
 
 from . import checks
+from .regions import Box, Cylinder, HalfSpaces, Mesh
 from .snapshot import Snapshot
 
 ACCURACY = 3e-3
@@ -26,7 +27,8 @@ def solidVolume(particles, region, accuracy=ACCURACY):
     :returns: `Measured`
     """
     snapshot = particles if isinstance(particles, Snapshot) else Snapshot.ofBodies(particles)
-    low, value, high = region.solidVolumes(_rows(snapshot), checks.within('accuracy', accuracy, 1e-6, 1)).sum(axis=0)
+    accuracy = checks.within('accuracy', accuracy, 1e-6, 1)
+    low, value, high = _region(region).solidVolumes(_rows(snapshot), accuracy).sum(axis=0)
     return Measured(float(value), float(low), float(high))
 
 
@@ -36,10 +38,16 @@ def packingFraction(particles, region, accuracy=ACCURACY):
     :returns: `Measured` [-]
     :raises ValueError: the region is empty
     """
-    whole = region.volume
+    whole = _region(region).volume
     if whole <= EMPTY * getattr(region, 'within', region).volume:
         raise ValueError(f'region = {region!r}: is empty')
     return Measured(*(volume / whole for volume in solidVolume(particles, region, accuracy)))
+
+
+def _region(region):
+    if not isinstance(region, (Box, Cylinder, HalfSpaces, Mesh)):
+        raise ValueError(f'region = {region!r}: must be a Box, Cylinder, HalfSpaces or Mesh')
+    return region
 
 
 def _rows(snapshot):

@@ -24,6 +24,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import BoundaryController, BreakageEngine, InsertionSortCollider, KinematicEngine, PyRunner, VibratingBoxEngine
 
 from . import checks
+from .bodies import present
 from .engines import engine
 
 WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
@@ -72,7 +73,7 @@ def run(steps, rebalanceEvery=0):
     :raises ValueError: the scene cannot be cut, or a wall moves (rank 0 only; the other ranks then end with mpirun); several ranks after
         `merge(forGood=True)` (on all)
     """
-    steps, rebalanceEvery = checks.wholeNumber('steps', steps, 1), checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
+    steps, rebalanceEvery = checks.wholeNumber('steps', steps, 1, checks.STEPS), checks.wholeNumber('rebalanceEvery', rebalanceEvery, 0)
     if Totals.ended and ranks() > 1:
         raise ValueError('run: not on several ranks after merge(forGood=True)')
     mpy = _mpy()
@@ -123,6 +124,7 @@ def merge(forGood=False):
     :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`, without `Totals`; no `run` on several ranks
         can follow
     """
+    forGood = checks.boolean('forGood', forGood)
     if ranks() > 1:
         _meet()
         _orAbort(_mpy().mergeScene)
@@ -208,7 +210,7 @@ class Totals:
     """Sums over all ranks, taken at the end of every `every`-th step; to be made by all ranks before the first `run`.
 
     :param supports: ids of fixed bodies whose forces are added up
-    :raises ValueError: `every` is no whole number; on several ranks also after a `run`
+    :raises ValueError: `every` is no whole number, on rank 0 a support is not in the scene; on several ranks also after a `run`
     :ivar rows: on rank 0 a dict for each record: `time` [s], `momentum` (3) [kg m/s] of all particles, `force` (3) [N] on the supports in this step,
         `bodies` that moved, and with O.trackEnergy `energy`, the entries of O.energy [J] since the scene was cut; on other ranks empty
     """
@@ -221,12 +223,14 @@ class Totals:
     def __init__(self, supports=(), every=1):
         if Totals.begun and ranks() > 1:  # the other ranks have their engines by then, and would not take part
             raise ValueError('Totals: must be made before the first run')
-        self.supports, self.rows = list(supports), []
-        every = checks.wholeNumber('every', every, 1)
+        every = checks.wholeNumber('every', every, 1, checks.STEPS)
+        # Only rank 0 has the bodies by now.
+        self.supports, self.rows = present('supports', supports) if rank() == 0 else list(supports), []
         Totals._all.append(self)
         if rank() == 0:
             command = f'{self.COMMAND}[{len(Totals._all) - 1}].record()'
-            O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=O.iter + every - 1)]
+            O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=O.iter + every - 1,
+                                              initRun=True)]  # which counts where the first one is step 0: that is no firstIterRun to YADE
 
     def record(self):
         """Called on all ranks in the same step."""

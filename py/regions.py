@@ -1,17 +1,19 @@
 """Parts of space in which solid is measured (packing.py): boxes, cylinders, what half spaces cut out, what a closed surface encloses."""
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
 from yade.wrapper import MeshFunctions
 
 from . import checks
-from .meshes import Surface, readSurface
+from .meshes import Surface, readSurface, table
 
 # Corners are numbered by the bits x, y, z; triangles face outward.
 BOX_TRIANGLES = np.array([(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
                            (0, 4, 2), (2, 4, 6), (1, 3, 5), (3, 7, 5)], dtype=np.int32)
 ALL = np.zeros((0, 4))  # no half spaces: all of space
+SIDES = 100000          # of the prisms about a cylinder, at most: each particle is held against all of them
 
 
 @dataclass(frozen=True)
@@ -74,12 +76,16 @@ class Cylinder:
         """As `Box.solidVolumes`."""
         if not len(particles):
             return np.zeros((0, 3))
-        distance = accuracy * particles[:, 12:15].min()
-        sides = max(4, math.ceil(math.pi / math.acos(max(0.0, 1 - distance / self.radius))))
+        sides = self._sides(accuracy * particles[:, 12:15].min())
         half = math.pi / sides
         inner, alike, outer = (_inHalfSpaces(particles, accuracy, self._prism(sides, apothem * self.radius))
                                for apothem in (math.cos(half), math.sqrt(half / math.tan(half)), 1.0))
         return np.column_stack([inner[:, 0], alike[:, 1], outer[:, 2]])
+
+    def _sides(self, distance):
+        """Of a prism that lies within the distance [m] of the cylinder; no more than SIDES, the bounds are farther apart then."""
+        angle = math.acos(max(0.0, 1 - distance / self.radius))
+        return SIDES if angle * SIDES < math.pi else max(4, math.ceil(math.pi / angle))
 
     def _prism(self, sides, apothem):
         """Half spaces of a regular prism about the axis."""
@@ -99,7 +105,11 @@ class Mesh:
     volume: float = field(init=False)  #: [m3]
 
     def __post_init__(self):
+        if not isinstance(self.surface, Surface):
+            raise ValueError(f'surface = {self.surface!r}: must be a Surface')
         self.surface.check(closed=True)
+        if np.abs(self.surface.points).max() > checks.LARGEST:
+            raise ValueError(f'surface: {self.surface.name}: points must not be above {checks.LARGEST:g} m in size')
         object.__setattr__(self, 'volume', self.volumeCut(ALL))
 
     @classmethod
@@ -113,7 +123,8 @@ class Mesh:
 
     def contains(self, points):
         """Which of the `points` (N, 3) [m] are inside, (N,) bool."""
-        questions = np.ascontiguousarray(points, dtype=float).reshape(-1, 3)
+        points = np.zeros((0, 3)) if isinstance(points, (list, tuple)) and not points else points
+        questions = table('points', points, np.float64)
         return np.frombuffer(MeshFunctions.contained(self.surface.points, self.surface.triangles, self.surface.name, questions), dtype=bool)
 
     def solidVolumes(self, particles, accuracy, halfSpaces=ALL):
@@ -134,7 +145,7 @@ class HalfSpaces:
     def __post_init__(self):
         if not isinstance(self.within, (Box, Mesh)):
             raise ValueError(f'within = {self.within!r}: must be a Box or a Mesh')
-        object.__setattr__(self, 'planes', tuple(_plane(i, plane) for i, plane in enumerate(self.planes)))
+        object.__setattr__(self, 'planes', tuple(_plane(i, plane) for i, plane in enumerate(_sequence(self.planes))))
 
     @property
     def volume(self):
@@ -149,13 +160,22 @@ class HalfSpaces:
         return np.array([(*normal, distance) for normal, distance in self.planes]).reshape(-1, 4)
 
 
+def _sequence(planes):
+    if isinstance(planes, (str, bytes)) or not isinstance(planes, Iterable):
+        raise ValueError(f'planes = {planes!r}: must be pairs of a normal and a distance')
+    return planes
+
+
 def _plane(i, plane):
-    normal, distance = plane
-    normal = np.array(checks.vector(f'planes[{i}] normal', normal))
-    length = np.linalg.norm(normal)
-    if length == 0:
-        raise ValueError(f'planes[{i}] normal = {tuple(normal)!r}: must not be zero')
-    return tuple(normal / length), checks.finite(f'planes[{i}] distance', distance)
+    try:
+        normal, distance = () if isinstance(plane, (str, bytes)) else plane
+    except (TypeError, ValueError):
+        raise ValueError(f'planes[{i}] = {plane!r}: must be a normal and a distance') from None
+    normal = checks.vector(f'planes[{i}] normal', normal)
+    length = math.hypot(*normal)
+    if length < 1 / checks.LARGEST:
+        raise ValueError(f'planes[{i}] normal = {normal!r}: must not be zero, at least {1 / checks.LARGEST:g} long')
+    return tuple(x / length for x in normal), checks.finite(f'planes[{i}] distance', distance)
 
 
 def _inHalfSpaces(particles, accuracy, halfSpaces):

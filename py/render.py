@@ -17,8 +17,9 @@ from .wholefile import ReplacingBytes, requireFolder
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
-LOWEST = 50            # pixels of a view's width and height
+LOWEST, HIGHEST = 50, 8192  # pixels of a view's width and height; graphics cards draw no more than twice as many
 RATES = 0.01, 50       # frames a second: a GIF counts hundredths of a second, and viewers slow down what lasts only one
+FARTHEST = 1e15        # m from the origin: nothing is drawn there
 FOOT = 0.07            # room for the scale below a view, over its height
 
 
@@ -37,6 +38,7 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
     :raises ValueError: a value out of range; ImportError: a package is missing; RuntimeError: drawing failed
     """
     _checkPath(path, '.png')
+    title = _text('title', title)
     captions, frames = zip(*_views(views))
     style = _style(frames, colour, chains, cut, limits, chainLimit)
     eye, size = _eye(frames, style, elevation, azimuth, width)
@@ -58,13 +60,14 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
     """
     _checkPath(path, '.gif')
+    title, start = _text('title', title), None if start is None else checks.finite('start', start)
     rate, frames = checks.within('rate', rate, *RATES), _sequence(frames)
-    style = _style(map(_frame, frames), colour, chains, cut, limits, chainLimit)
-    ends = [_frame(frames[0]), _frame(frames[-1])]
+    style = _style((_frame('frames', frame) for frame in frames), colour, chains, cut, limits, chainLimit)
+    ends = [_frame('frames', frames[place]) for place in (0, -1)]
     eye, size = _eye(ends, style, elevation, azimuth, width)
-    start, images = ends[0].time if start is None else checks.finite('start', start), []
+    start, images = ends[0].time if start is None else start, []
     with Renderer() as renderer:
-        for frame in map(_frame, frames):
+        for frame in (_frame('frames', frame) for frame in frames):
             figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
             images.append(_withPalette(_pixels(figure, DPI // 2), style))
     with ReplacingBytes(path) as file:
@@ -92,13 +95,30 @@ def _views(views):
         raise ValueError('views = []: there is nothing to show')
     if any(len(view) != 2 or not isinstance(view[0], str) for view in views):
         raise ValueError('views: must be a Frame or a Snapshot, or a list of such or of (caption, such)')
-    return [(caption, _frame(view)) for caption, view in views]
+    return [(_text('views', caption), _frame('views', view)) for caption, view in views]
 
 
-def _frame(view):
+def _frame(name, view):
+    """A `Frame` that can be drawn."""
     if not isinstance(view, (Frame, Snapshot)):
-        raise ValueError(f'{view!r}: is no Frame and no Snapshot')
-    return Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view
+        raise ValueError(f'{name} = {view!r}: is no Frame and no Snapshot')
+    frame = Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view
+    lost = ~(np.abs(frame.particles['position']) <= FARTHEST).all(axis=1)
+    if lost.any():
+        row = frame.particles[lost][0]
+        raise ValueError(f'{name}: body {row["id"]} is at {tuple(row["position"].tolist())}, which cannot be drawn')
+    return frame
+
+
+def _text(name, value):
+    """A text that matplotlib can write: what stands between two dollars is a formula to it."""
+    from matplotlib import cbook, mathtext
+    if cbook.is_math_text(checks.text(name, value)):
+        try:
+            mathtext.MathTextParser('path').parse(value)
+        except ValueError as error:
+            raise ValueError(f'{name} = {value!r}: has no formula between its dollars ({error})') from None
+    return value
 
 
 def _sequence(frames):
@@ -134,14 +154,14 @@ def _limits(limits, colour):
 
 def _eye(frames, style, elevation, azimuth, width):
     """Camera that sees all `frames`, and the size of the picture."""
-    width = checks.wholeNumber('width', width, LOWEST)
+    width = checks.wholeNumber('width', width, LOWEST, HIGHEST)
     eye, shape = camera(frames, style, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
-    height = int(np.clip(round(width * shape), LOWEST, 4 * width))
+    height = int(np.clip(round(width * shape), LOWEST, min(4 * width, HIGHEST)))
     return {**eye, 'height': max(eye['height'], eye['height'] / shape * height / width)}, (width, height)  # a flat scene keeps its sides
 
 
 def _checkPath(path, ending):
-    if os.path.splitext(os.fspath(path))[1].lower() != ending:
+    if os.path.splitext(checks.path('path', path))[1].lower() != ending:
         raise ValueError(f'path = {path!r}: must end in {ending}')
     requireFolder(path)
 

@@ -61,6 +61,7 @@ class Style:
             boxes.append(_particleBox(frame))
         if values:
             values = np.concatenate(values)
+            values = values[np.isfinite(values)]
             limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
         if chains and chainLimit is None:
             chainLimit = max(strongest)

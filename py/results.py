@@ -9,6 +9,7 @@ import numpy
 
 from yade import config
 
+from . import checks
 from .version import __version__
 
 
@@ -71,7 +72,8 @@ class Replacing:
     """A text file that takes the place of `path` only when it has been written completely."""
 
     def __init__(self, path):
-        self.path, self.partial = path, f'{path}.part'
+        self.path = checks.path('path', path)
+        self.partial = f'{self.path}.part'
 
     def __enter__(self):
         self.file = open(self.partial, 'w', newline='', encoding='utf-8')
@@ -82,11 +84,13 @@ class Replacing:
             self.file.flush()
             os.fsync(self.file.fileno())
         self.file.close()
-        if failed:
-            os.remove(self.partial)
-        else:
-            os.replace(self.partial, self.path)
-            _flushFolder(os.path.dirname(self.path) or '.')
+        try:
+            if not failed:
+                os.replace(self.partial, self.path)
+                _flushFolder(os.path.dirname(self.path) or '.')
+        finally:
+            with contextlib.suppress(FileNotFoundError):  # it has taken the place of the other
+                os.remove(self.partial)
 
 
 def _flushFolder(path):

@@ -1,14 +1,9 @@
 """Where all particles are, as arrays: what the measures and the pictures work on, independent of the scene."""
-import zipfile
-import zlib
-
 import numpy as np
 
-from . import bodyarrays
+from . import arrayfile, bodyarrays
 
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
-# What numpy raises where a file is not what it wrote.
-DAMAGE = (ValueError, TypeError, KeyError, EOFError, AttributeError, MemoryError, NotImplementedError, SyntaxError, zipfile.BadZipFile, zlib.error)
 
 
 class Snapshot:
@@ -32,7 +27,7 @@ class Snapshot:
         """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene, in that order (None: all); in a periodic
         scene inside the cell.
 
-        :raises ValueError: a body that is not in the scene; TypeError: ids that are no whole numbers
+        :raises ValueError: a body that is not in the scene
         """
         rows = bodyarrays.particles(ids)
         return cls(ids=rows['id'].copy(), positions=rows['position'].copy(), rotations=bodyarrays.matrices(rows['orientation']),
@@ -47,11 +42,7 @@ class Snapshot:
 
         :raises ValueError: naming the file, which holds something else
         """
-        try:
-            with open(path, 'rb') as file, np.load(file) as stored:
-                result = cls(**{name: stored[name] for name in cls.ARRAYS})
-        except DAMAGE as error:
-            raise ValueError(f'{path}: damaged ({type(error).__name__}: {error})') from None
+        result = cls(**arrayfile.read(path, cls.ARRAYS))
         if any(getattr(result, name).shape != (len(result.ids), *rest) for name, rest in SHAPES.items()):
             raise ValueError(f'{path}: damaged (its arrays do not have the shapes of a snapshot)')
         return result

@@ -10,6 +10,7 @@ import numpy
 
 from . import checks
 
+LARGEST = 16384  # pixels of a window's side: no screen has more
 SCENE = 5  # what lies farther behind or before the aim than so many of its radii is cut off by the camera
 
 
@@ -22,7 +23,7 @@ def openView(size=(800, 800)):
         width, height = size
     except (TypeError, ValueError):
         raise ValueError(f'size = {size!r}: must be (width, height)') from None
-    width, height = checks.wholeNumber('size[0]', width, 1), checks.wholeNumber('size[1]', height, 1)
+    width, height = checks.wholeNumber('size[0]', width, 1, LARGEST), checks.wholeNumber('size[1]', height, 1, LARGEST)
     from yade import qt
     view = qt.views()[0] if qt.views() else qt.View()
     view.screenSize = width, height
@@ -36,6 +37,9 @@ def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
         [degrees]
     """
     center, radius = checks.vector('center', center), checks.positive('radius', radius)
+    orthographic = checks.boolean('orthographic', orthographic)
+    if not hasattr(view, 'fitSphere'):
+        raise ValueError(f'view = {view!r}: must be a 3D view, as openView() gives it')
     around, up = math.radians(checks.finite('azimuth', azimuth)), math.radians(checks.within('elevation', elevation, -90, 90))
     view.ortho = orthographic
     view.sceneRadius = SCENE * radius

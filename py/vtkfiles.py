@@ -3,7 +3,7 @@ import os
 
 import numpy as np
 
-from . import bodyarrays, surfaces
+from . import bodyarrays, summed, surfaces
 
 MISSING = 'VTK\'s Python modules are missing: install python3-vtk9, or start with tools/env --with view'
 
@@ -126,21 +126,20 @@ def write(path, data):
     writer.SetCompressionLevel(1)   # higher ones take three times as long for a tenth less
     if not writer.Write() or writer.GetErrorCode():
         raise OSError(f'{path}: VTK could not write it (error {writer.GetErrorCode()}); is the disk full?')
+    summed.sealFile(partial)
     os.replace(partial, path)
 
 
 def read(path):
     """vtkPolyData of a .vtp file.
 
-    :raises ValueError: there is none, or a damaged one
+    :raises ValueError: there is none, or one that is not as `write` left it
     """
     from vtkmodules.vtkCommonCore import vtkObject
     from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
     if not os.path.exists(path):
         raise ValueError(f'{path}: there is no such file')
-    # Of a file that was cut off VTK gives what there is, without a word.
-    with open(path, 'rb') as file:
-        whole = file.read().rstrip().endswith(b'</VTKFile>')
+    whole = summed.intact(path)
     reader, errors = vtkXMLPolyDataReader(), []
     reader.AddObserver('ErrorEvent', lambda *_: errors.append(1))
     reader.SetFileName(path)
@@ -151,7 +150,7 @@ def read(path):
     finally:
         vtkObject.GlobalWarningDisplayOn()
     if not whole or errors or reader.GetErrorCode():
-        raise ValueError(f'{path}: is damaged, or no PolyData file of VTK')
+        raise ValueError(f'{path}: is damaged, or another program\'s')
     return reader.GetOutput()
 
 

@@ -32,20 +32,23 @@ class RecordedSeries(Sequence):
             part.moments = self.moments[place]
             return part
         moment = self.moments[place]
-        return Frame(self._read(moment.file, _particles), self._optional('contacts', _contacts, moment.step),
-                     self._optional('container', _container, moment.step), moment.step, moment.time)
+        return Frame(self._read(moment.file, moment, _particles), self._optional('contacts', moment, _contacts),
+                     self._optional('container', moment, _container), moment.step, moment.time)
 
-    def _read(self, file, convert):
+    def _read(self, file, moment, convert):
         path = os.path.join(self.folder, file)
         data = vtkfiles.read(path)
         try:
+            own = vtkfiles.arrays(data.GetFieldData())
+            if (own['step'][0], own['TimeValue'][0]) != (moment.step, moment.time):
+                raise ValueError(f'it is of step {own["step"][0]}')
             return convert(data)
-        except (AttributeError, KeyError, ValueError) as error:
+        except (AttributeError, KeyError, IndexError, ValueError) as error:
             raise ValueError(f'{path}: is another program\'s, or of another version ({type(error).__name__}: {error})') from None
 
-    def _optional(self, name, convert, step):
-        file = self._files[name].get(step)
-        return None if file is None else self._read(file, convert)
+    def _optional(self, name, moment, convert):
+        file = self._files[name].get(moment.step)
+        return None if file is None else self._read(file, moment, convert)
 
 
 def _particles(data):

@@ -5,7 +5,8 @@ from contextlib import suppress
 from yade import O
 from yade.wrapper import PyRunner
 
-from . import bodyarrays, checks, vtkfiles
+from . import checks, vtkfiles
+from .bodies import present
 from .frame import Frame
 from .surfaces import DETAIL
 from .vtkseries import Series
@@ -39,17 +40,17 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     what = {name: checks.boolean(name, value) for name, value in (
         ('surfaces', surfaces), ('contacts', contacts), ('container', container), ('normals', normals))}
     what['detail'] = checks.above('detail', detail, 0, 1)
-    what['ids'] = ids = None if ids is None else _checkIds(ids)
-    if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder)):
+    what['ids'] = None if ids is None else present('ids', ids)
+    initRun, label = checks.boolean('initRun', initRun), checks.text('label', label)
+    if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder) and '\0' not in os.fspath(folder)):
         raise ValueError(f'folder = {folder!r}: must be the path of a folder')
-    bodyarrays.particles(ids)  # they are there
     vtkfiles.requireVtk()
     os.makedirs(folder, exist_ok=True)
     if not os.access(folder, os.W_OK):
         raise PermissionError(f'folder = {folder!r}: cannot be written to')
     arguments = ', '.join(f'{name}={value!r}' for name, value in what.items())
     command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({os.fspath(folder)!r}, {arguments})"
-    return PyRunner(command=command, updateGlobals=False, initRun=checks.boolean('initRun', initRun), label=label, **periods)
+    return PyRunner(command=command, updateGlobals=False, initRun=initRun, label=label, **periods)
 
 
 def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
@@ -70,16 +71,6 @@ def remove(folder):
         os.rmdir(folder)
 
 
-def _checkIds(ids):
-    try:
-        numbers = None if isinstance(ids, (str, bytes)) else list(ids)
-    except TypeError:
-        numbers = None
-    if numbers is None:
-        raise ValueError(f'ids = {ids!r}: must be numbers of bodies')
-    return [checks.wholeNumber('ids', i, 0) for i in numbers]
-
-
 def _checkPeriods(iterPeriod, virtPeriod, realPeriod):
     """{name: value} of the periods that are given.
 
@@ -88,4 +79,5 @@ def _checkPeriods(iterPeriod, virtPeriod, realPeriod):
     given = {name: value for name, value in zip(PERIODS, (iterPeriod, virtPeriod, realPeriod)) if value is not None}
     if not given:
         raise ValueError(f'iterPeriod = None: one of {", ".join(PERIODS)} is needed')
-    return {name: checks.wholeNumber(name, value, 1) if name == 'iterPeriod' else checks.positive(name, value) for name, value in given.items()}
+    return {name: checks.wholeNumber(name, value, 1, checks.STEPS) if name == 'iterPeriod' else checks.positive(name, value)
+            for name, value in given.items()}

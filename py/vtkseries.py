@@ -6,7 +6,8 @@ from contextlib import suppress
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
-from .results import Replacing
+from . import summed
+from .wholefile import ReplacingBytes
 
 Entry = namedtuple('Entry', 'step time file')
 Entry.__doc__ = """A moment of a series: O.iter, O.time [s], file beside the .pvd."""
@@ -31,9 +32,11 @@ class Series:
         if not os.path.exists(self.path):
             return []
         try:
-            return [Entry(_step(node.attrib['file']), float(node.attrib['timestep']), node.attrib['file'])
+            if not summed.intact(self.path):
+                raise ValueError('its sum is wrong or missing')
+            return [Entry(self._step(node.attrib['file']), float(node.attrib['timestep']), node.attrib['file'])
                     for node in ElementTree.parse(self.path).iter('DataSet')]
-        except (ElementTree.ParseError, KeyError, IndexError, ValueError) as error:
+        except (ElementTree.ParseError, KeyError, ValueError) as error:
             raise ValueError(f'{self.path}: is damaged, or another program\'s ({error}); remove it to begin anew') from None
 
     def append(self, step, time, write):
@@ -65,13 +68,15 @@ class Series:
             os.rmdir(moments)
 
     def _write(self, entries):
-        with Replacing(self.path) as file:
-            file.write('<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n<Collection>\n')
-            for entry in entries:
-                file.write(f'<DataSet timestep="{entry.time!r}" part="0" file={quoteattr(entry.file)}/>\n')
-            file.write('</Collection>\n</VTKFile>\n')
+        moments = ''.join(f'<DataSet timestep="{entry.time!r}" part="0" file={quoteattr(entry.file)}/>\n' for entry in entries)
+        content = (f'<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n<Collection>\n{moments}'
+                   '</Collection>\n</VTKFile>').encode()
+        with ReplacingBytes(self.path) as file:
+            file.write(content + summed.seal(content))
 
-
-def _step(file):
-    """The step in a file's name."""
-    return int(file.rsplit('.', 2)[-2])
+    def _step(self, file):
+        """The step in the name of a file of this series."""
+        found = re.fullmatch(rf'{re.escape(self.name)}/{re.escape(self.name)}\.(\d{{10,}})\.vtp', file)
+        if not found:
+            raise ValueError(f'{file!r} is none of this series')
+        return int(found[1])

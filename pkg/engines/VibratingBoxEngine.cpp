@@ -72,7 +72,9 @@ void VibratingBoxEngine::action()
 	const Load now = load();
 	const Vector3r before = freePart(velocity);
 	const Vector3r force = now.contacts + now.weight + now.drive - stiffness.cwiseProduct(displacement);
-	velocity = freePart(oscillator::nextVelocity(now.mass, damping, force, before, scene->dt));
+	const Vector3r next = freePart(oscillator::nextVelocity(now.mass, damping, force, before, scene->dt));
+	requireFiniteStep(now, next);
+	velocity = next;
 	const Vector3r dashpot = oscillator::dashpotForce(damping, before, velocity);
 	if (scene->trackEnergy) book(now, dashpot, before);
 	moveMembers();
@@ -84,6 +86,19 @@ void VibratingBoxEngine::action()
 	lastDashpot = dashpot;
 	displacement += lastWay;
 	accepted = parameters(); // what a later refusal goes back to
+}
+
+// A box that has been thrown out of all numbers, by springs too stiff for the time step or by particles that are there already, would take everything
+// along and could not be set right any more.
+void VibratingBoxEngine::requireFiniteStep(const Load& now, const Vector3r& next) const
+{
+	const Vector3r impulse = scene->dt * now.contacts, way = scene->dt * next;
+	if ((contactImpulse + impulse).allFinite() && next.allFinite() && (displacement + way).allFinite()) return;
+	std::ostringstream message;
+	message << "VibratingBoxEngine: the box would get the velocity " << next.transpose() << " m/s at displacement " << displacement.transpose()
+		<< " m, from forces on its members of " << now.contacts.transpose() << " N and a drive of " << now.drive.transpose() << " N; is O.dt = "
+		<< scene->dt << " s too long?";
+	throw std::invalid_argument(message.str());
 }
 
 // A member may be moved by its velocity alone, and forces on clumps and their members are not yet summed up here.

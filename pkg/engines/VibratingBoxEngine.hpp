@@ -41,6 +41,7 @@ private:
 	State& member(Body::id_t id) const;
 	void findReferences();
 	Load load() const;
+	void requireFiniteStep(const Load& now, const Vector3r& next) const;
 	Vector3r gravity() const;
 	Vector3r freePart(const Vector3r& vector) const;
 	void book(const Load& now, const Vector3r& dashpot, const Vector3r& before) const;

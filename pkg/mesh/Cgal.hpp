@@ -5,6 +5,7 @@
 #include "TriangleMesh.hpp"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 namespace superquadric::cgal {
@@ -23,6 +24,28 @@ inline std::vector<Point> pointsOf(const TriangleMesh& mesh)
 	for (const Vector3& x : mesh.points)
 		points.push_back(pointOf(x));
 	return points;
+}
+
+// Of a mesh whose edges are in order. Points of no triangle are left out: CGAL would look for the triangles round them, past the end of its lists.
+inline SurfaceMesh surfaceOf(const TriangleMesh& mesh)
+{
+	constexpr int unseen = -1;
+	std::vector<int> places(mesh.points.size(), unseen);
+	TriangleMesh used;
+	for (std::array<int, 3> triangle : mesh.triangles) {
+		for (int& corner : triangle) {
+			int& place = places[std::size_t(corner)];
+			if (place == unseen) {
+				place = int(used.points.size());
+				used.points.push_back(mesh.points[std::size_t(corner)]);
+			}
+			corner = place;
+		}
+		used.triangles.push_back(triangle);
+	}
+	SurfaceMesh surface;
+	CGAL::Polygon_mesh_processing::polygon_soup_to_polygon_mesh(pointsOf(used), used.triangles, surface);
+	return surface;
 }
 
 } // namespace superquadric::cgal

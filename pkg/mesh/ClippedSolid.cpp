@@ -15,14 +15,13 @@ namespace {
 
 } // namespace
 
-ClippedSolid::ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation,
-                           const Vector3& shift)
+ClippedSolid::ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation)
 {
 	corners_.reserve(3 * triangles.size());
 	ends_.reserve(triangles.size());
 	for (const auto& triangle : triangles) {
 		for (int corner : triangle)
-			corners_.push_back(rotation * points[std::size_t(corner)] + shift);
+			corners_.push_back(rotation * points[std::size_t(corner)]);
 		ends_.push_back(corners_.size());
 	}
 }

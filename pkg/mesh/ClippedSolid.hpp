@@ -14,12 +14,14 @@ struct HalfSpace {
 	double offset; // [m]
 
 	double outside(const Vector3& x) const { return normal.dot(x) - offset; }
+	// The same as seen from another origin.
+	HalfSpace seenFrom(const Vector3& origin) const { return { normal, -outside(origin) }; }
 };
 
 class ClippedSolid {
 public:
-	// Of a closed surface whose triangles face outward, moved by `shift` after the rotation.
-	ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation, const Vector3& shift);
+	// Of a closed surface whose triangles face outward, turned about the origin.
+	ClippedSolid(const std::vector<Vector3>& points, const std::vector<std::array<int, 3>>& triangles, const Matrix3& rotation);
 
 	void clip(const HalfSpace& kept);
 	bool empty() const { return ends_.empty(); }

@@ -34,7 +34,7 @@ ClippedSolid ConvexRegion::partWithin(const ClippedSolid& solid, const Placement
 {
 	ClippedSolid part = solid;
 	for (const HalfSpace& halfSpace : halfSpaces_)
-		if (reachOutside(body, halfSpace).most > 0) part.clip(halfSpace);
+		if (reachOutside(body, halfSpace).most > 0) part.clip(halfSpace.seenFrom(body.position));
 	return part;
 }
 

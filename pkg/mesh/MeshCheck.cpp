@@ -4,7 +4,6 @@
 
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 
 #include <map>
@@ -145,8 +144,7 @@ namespace {
 
 	Facing facingOf(const TriangleMesh& mesh, Findings& findings)
 	{
-		cgal::SurfaceMesh surface;
-		pmp::polygon_soup_to_polygon_mesh(cgal::pointsOf(mesh), mesh.triangles, surface);
+		const cgal::SurfaceMesh surface = cgal::surfaceOf(mesh);
 		if (!pmp::does_bound_a_volume(surface)) findings.note({ "closed surface whose parts do not bound a volume together (turn round the inner shells, or the parts that face the other way)", 1, {} });
 		return pmp::volume(surface) > 0 ? Facing::outward : Facing::inward;
 	}
@@ -155,6 +153,7 @@ namespace {
 
 Facing checkMesh(const TriangleMesh& mesh, const std::string& name, bool closed)
 {
+	if (mesh.triangles.empty()) throw std::invalid_argument(name + ": has no triangles");
 	Findings findings(name);
 	findings.note(notFinite(mesh));
 	findings.throwIfAny();

@@ -13,7 +13,6 @@
 #include <CGAL/Polygon_mesh_processing/bbox.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 
 #include <pkg/geometry/Bounds.hpp>
@@ -134,7 +133,7 @@ MeshRegion::MeshRegion(const TriangleMesh& mesh, const std::string& name)
         : search_(std::make_unique<Search>())
 {
 	const Facing facing = checkMesh(mesh, name, /*closed*/ true);
-	pmp::polygon_soup_to_polygon_mesh(cgal::pointsOf(mesh), mesh.triangles, search_->surface);
+	search_->surface = cgal::surfaceOf(mesh);
 	if (facing == Facing::inward) pmp::reverse_face_orientations(search_->surface);
 	search_->tree.insert(faces(search_->surface).first, faces(search_->surface).second, search_->surface);
 	search_->tree.build();
@@ -168,9 +167,13 @@ double MeshRegion::volumeWithin(const ClippedSolid& solid, const Placement& body
 			}
 		}
 	std::vector<Triangle> triangles;
-	for (const auto face : fewest)
+	for (const auto face : fewest) {
 		triangles.push_back(search_->corners(face));
-	return volumeBefore(triangles, u, solid, boxOf(body));
+		for (Vector3& corner : triangles.back())
+			corner -= body.position;
+	}
+	const Vector3 half = boxHalfExtents(body.shape, body.rotation);
+	return volumeBefore(triangles, u, solid, { -half, half });
 }
 
 } // namespace superquadric

@@ -17,7 +17,8 @@ public:
 
 	// How much of a body lies inside; `part` also where it is not worth finding out.
 	virtual Holds holds(const Placement& body) const = 0;
-	// Volume of the part of a solid that lies inside [m^3]: of the tessellation of `body`, which tells where the solid is.
+	// Volume of the part of a solid that lies inside [m^3]: of the tessellation of `body`, turned like it, and seen from its centre. Far from the
+	// scene's origin a small solid's own shape would be lost in the last digits of its corners.
 	virtual double volumeWithin(const ClippedSolid& solid, const Placement& body) const = 0;
 };
 

@@ -30,7 +30,7 @@ namespace {
 
 	SolidVolume partOf(const Placement& body, const Region& region, double whole, const Tessellation& tessellation)
 	{
-		const ClippedSolid solid(tessellation.points, tessellation.triangles, body.rotation, body.position);
+		const ClippedSolid solid(tessellation.points, tessellation.triangles, body.rotation);
 		const double tessellated = std::min(solid.volume(), whole), within = std::clamp(region.volumeWithin(solid, body), 0.0, tessellated);
 		return { within, within * (whole / tessellated), std::min(within + whole - tessellated, whole) };
 	}

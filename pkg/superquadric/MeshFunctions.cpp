@@ -78,7 +78,7 @@ std::string MeshFunctions::check(const object& points, const object& triangles, 
 Real MeshFunctions::volume(const object& points, const object& triangles, const object& halfSpaces)
 {
 	const superquadric::TriangleMesh mesh = meshOf(points, triangles);
-	superquadric::ClippedSolid solid(mesh.points, mesh.triangles, Matrix3r::Identity(), Vector3r::Zero());
+	superquadric::ClippedSolid solid(mesh.points, mesh.triangles, Matrix3r::Identity());
 	for (const auto& halfSpace : halfSpacesOf(halfSpaces))
 		solid.clip(halfSpace);
 	return solid.volume();

@@ -142,7 +142,7 @@ TEST(RegionOracle, AgainstCorefinement)
 	const Bed bed(22, 40);
 	for (const Placement& body : bed.bodies) {
 		const Tessellation coarse = tessellate(body.shape, 0.1 * body.shape.smallestHalfSize());
-		const double found = region.volumeWithin({ coarse.points, coarse.triangles, body.rotation, body.position }, body);
+		const double found = region.volumeWithin({ coarse.points, coarse.triangles, body.rotation }, body);
 		Surface particle = surfaceOf(coarse.points, coarse.triangles, [&](const Vector3& x) { return body.rotation * x + body.position; });
 		Surface star = surfaceOf(mesh.points, mesh.triangles, [](const Vector3& x) { return x; });
 		ASSERT_TRUE(CGAL::Polygon_mesh_processing::corefine_and_compute_intersection(particle, star, particle));

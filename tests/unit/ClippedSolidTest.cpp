@@ -14,7 +14,7 @@ using namespace superquadric::testing;
 
 namespace {
 
-ClippedSolid solidOf(const TriangleMesh& mesh) { return { mesh.points, mesh.triangles, Matrix3::Identity(), Vector3::Zero() }; }
+ClippedSolid solidOf(const TriangleMesh& mesh) { return { mesh.points, mesh.triangles, Matrix3::Identity() }; }
 ClippedSolid unitCube() { return solidOf(box(Vector3::Zero(), Vector3::Ones())); }
 
 double cut(ClippedSolid solid, const std::vector<HalfSpace>& halfSpaces)
@@ -71,7 +71,7 @@ TEST(ClippedSolid, CapsOfEllipsoids)
 {
 	const Vector3 sizes(1, 2, 0.5);
 	const Tessellation tessellation = tessellate(Shape(sizes, 2, 2), 1e-3);
-	const ClippedSolid ellipsoid(tessellation.points, tessellation.triangles, Matrix3::Identity(), Vector3::Zero());
+	const ClippedSolid ellipsoid(tessellation.points, tessellation.triangles, Matrix3::Identity());
 	const double missing = 4 * pi / 3 * sizes.prod() - ellipsoid.volume();
 	RandomBodies random(5);
 	for (int i = 0; i < 50; ++i) {
@@ -90,7 +90,7 @@ TEST(ClippedSolid, PartsAddUpAndOrderDoesNotMatter)
 	for (int i = 0; i < 300; ++i) {
 		const Shape shape = random.shape();
 		const Tessellation tessellation = tessellate(shape, 0.05 * shape.smallestHalfSize());
-		const ClippedSolid solid(tessellation.points, tessellation.triangles, random.rotation(), Vector3(0.1, -0.2, 0.3));
+		const ClippedSolid solid(tessellation.points, tessellation.triangles, random.rotation());
 		std::vector<HalfSpace> halfSpaces;
 		for (int k = 0; k < 4; ++k)
 			halfSpaces.push_back(randomHalfSpace(random, shape.smallestHalfSize()));
@@ -111,7 +111,7 @@ TEST(ClippedSolid, ManyNearlyEqualPlanes)
 	RandomBodies random(11);
 	const Tessellation tessellation = tessellate(Shape(Vector3(1, 1, 1), 8, 8), 0.02);
 	for (int i = 0; i < 100; ++i) {
-		const ClippedSolid solid(tessellation.points, tessellation.triangles, random.rotation(), Vector3::Zero());
+		const ClippedSolid solid(tessellation.points, tessellation.triangles, random.rotation());
 		const HalfSpace first = randomHalfSpace(random, 0.7);
 		ClippedSolid once = solid, often = solid;
 		once.clip(first);

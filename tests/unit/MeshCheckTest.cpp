@@ -51,6 +51,24 @@ TEST(MeshCheck, SoundSurfacesAndHowTheyFace)
 	EXPECT_EQ(checkMesh(together(cubeAt(0, 0, 0, 3), turned(cubeAt(1, 1, 1))), "", true), Facing::outward); // with a cavity
 }
 
+TEST(MeshCheck, PointsOfNoTriangleCountForNothing)
+{
+	TriangleMesh mesh = unitCube();
+	mesh.points.insert(mesh.points.begin(), Vector3(0.5, 0.5, 0.5));
+	mesh.points.emplace_back(-3, 0, 0);
+	for (auto& triangle : mesh.triangles)
+		for (int& corner : triangle)
+			++corner;
+	EXPECT_EQ(checkMesh(mesh, "", true), Facing::outward);
+	EXPECT_EQ(checkMesh(turned(mesh), "", true), Facing::inward);
+}
+
+TEST(MeshCheck, NoTriangles)
+{
+	for (bool closed : { true, false })
+		EXPECT_EQ(complaint({ { Vector3::Zero() }, {} }, closed), "mould.stl: has no triangles");
+}
+
 TEST(MeshCheck, OpenEdges)
 {
 	EXPECT_EQ(complaint(withoutLid()), "mould.stl: 4 edges with one triangle only (the surface is not closed), first at (0, 0, 1) - (1, 0, 1)");
