@@ -12,7 +12,7 @@ namespace yade {
 
 class BreakableMat : public ElastoplasticMat {
 public:
-	virtual ~BreakableMat() = default;
+	~BreakableMat() override = default;
 
 	shared_ptr<State> newAssocState() const override { return shared_ptr<State>(new BreakableState); }
 	bool stateTypeOk(State* state) const override { return dynamic_cast<BreakableState*>(state); }

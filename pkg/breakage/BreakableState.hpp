@@ -7,7 +7,7 @@ namespace yade {
 
 class BreakableState : public State {
 public:
-	virtual ~BreakableState() = default;
+	~BreakableState() override = default;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BreakableState, State,

@@ -9,7 +9,7 @@ namespace yade {
 
 class CurvatureMat : public FrictMat {
 public:
-	virtual ~CurvatureMat() { }
+	~CurvatureMat() override = default;
 
 	// tmax of (14) [s] for a smallest half size [m].
 	Real criticalTimeStep(Real minHalfSize) const;

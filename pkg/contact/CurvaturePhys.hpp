@@ -7,7 +7,7 @@ namespace yade {
 
 class CurvaturePhys : public FrictPhys {
 public:
-	virtual ~CurvaturePhys() = default;
+	~CurvaturePhys() override = default;
 
 	// Of all its springs, as in O.energy['elastic'] [J].
 	virtual Real storedEnergy() const;

@@ -11,7 +11,7 @@ namespace yade {
 
 class ElastoplasticMat : public CurvatureMat {
 public:
-	virtual ~ElastoplasticMat() = default;
+	~ElastoplasticMat() override = default;
 	superquadric::elastoplastic::Material plasticity() const;
 
 protected:

@@ -11,7 +11,7 @@ namespace yade {
 
 class ElastoplasticPhys : public CurvaturePhys {
 public:
-	virtual ~ElastoplasticPhys() = default;
+	~ElastoplasticPhys() override = default;
 	Real storedEnergy() const override;
 
 	superquadric::elastoplastic::Material plasticity() const

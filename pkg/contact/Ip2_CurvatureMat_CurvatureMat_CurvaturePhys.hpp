@@ -12,12 +12,12 @@ class CurvaturePhys;
 
 class Ip2_CurvatureMat_CurvatureMat_CurvaturePhys : public IPhysFunctor {
 public:
-	virtual ~Ip2_CurvatureMat_CurvatureMat_CurvaturePhys() = default;
+	~Ip2_CurvatureMat_CurvatureMat_CurvaturePhys() override = default;
 	void go(const shared_ptr<Material>& material1, const shared_ptr<Material>& material2, const shared_ptr<Interaction>& interaction) override;
 	FUNCTOR2D(CurvatureMat, CurvatureMat);
 
 protected:
-	void combine(const CurvatureMat& material1, const CurvatureMat& material2, CurvaturePhys& phys) const;
+	void combine(const CurvatureMat& m1, const CurvatureMat& m2, CurvaturePhys& phys) const;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS(Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, IPhysFunctor,

@@ -16,7 +16,7 @@ void Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys::go(
 	combine(static_cast<const CurvatureMat&>(*material1), static_cast<const CurvatureMat&>(*material2), *phys);
 	superquadric::elastoplastic::Material plasticity[2];
 	Real damping = 0;
-	for (int i : { 0, 1 })
+	for (const int i : { 0, 1 })
 		if (const auto* material = dynamic_cast<const ElastoplasticMat*>((i == 0 ? material1 : material2).get())) {
 			plasticity[i] = material->plasticity();
 			damping += material->rollingDamping / 2;

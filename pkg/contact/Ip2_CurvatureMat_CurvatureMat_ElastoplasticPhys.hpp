@@ -8,7 +8,7 @@ namespace yade {
 
 class Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys : public Ip2_CurvatureMat_CurvatureMat_CurvaturePhys {
 public:
-	virtual ~Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys() = default;
+	~Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys() override = default;
 	void go(const shared_ptr<Material>& material1, const shared_ptr<Material>& material2, const shared_ptr<Interaction>& interaction) override;
 	FUNCTOR2D(CurvatureMat, CurvatureMat);
 

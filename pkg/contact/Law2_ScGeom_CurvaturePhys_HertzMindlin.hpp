@@ -8,7 +8,7 @@ namespace yade {
 
 class Law2_ScGeom_CurvaturePhys_HertzMindlin : public CurvatureLaw {
 public:
-	virtual ~Law2_ScGeom_CurvaturePhys_HertzMindlin() = default;
+	~Law2_ScGeom_CurvaturePhys_HertzMindlin() override = default;
 	FUNCTOR2D(ScGeom, CurvaturePhys);
 
 	// Called by YADE after the attributes were set or loaded.

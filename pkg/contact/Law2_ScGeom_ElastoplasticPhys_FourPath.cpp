@@ -106,7 +106,7 @@ Real Law2_ScGeom_ElastoplasticPhys_FourPath::modelError(const ElastoplasticPhys&
 	if (before.curveRadius != now.history.radius) {
 		const ep::Pair old { before.plasticity(), before.curveModulus, before.curveRadius };
 		const ep::Pair present { old.material, now.history.modulus, now.history.radius };
-		for (Real depth : { before.overlap, overlap })
+		for (const Real depth : { before.overlap, overlap })
 			curved += (ep::normalForce(old, {}, depth).work() - ep::normalForce(present, {}, depth).work()) / 2;
 	}
 	const Vector3r elasticBefore = before.normalForce - before.normalViscous;

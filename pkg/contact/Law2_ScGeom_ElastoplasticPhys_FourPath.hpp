@@ -11,7 +11,7 @@ namespace yade {
 
 class Law2_ScGeom_ElastoplasticPhys_FourPath : public CurvatureLaw {
 public:
-	virtual ~Law2_ScGeom_ElastoplasticPhys_FourPath() = default;
+	~Law2_ScGeom_ElastoplasticPhys_FourPath() override = default;
 	FUNCTOR2D(ScGeom, ElastoplasticPhys);
 
 	// Called by YADE after the attributes were set or loaded.

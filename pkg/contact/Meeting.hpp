@@ -29,9 +29,9 @@ struct Meeting {
 	Real share = 1;
 
 	// Under our geometry.
-	Meeting(const MovingBody& body1, const MovingBody& body2, const SuperquadricGeom& geom);
+	Meeting(const MovingBody& one, const MovingBody& two, const SuperquadricGeom& geom);
 	// Under YADE's, with the sides of flatOrSphere; its contact point is the middle of the overlap already.
-	Meeting(const MovingBody& body1, const MovingBody& body2, const Side& side1, const Side& side2, const ScGeom& geom);
+	Meeting(const MovingBody& one, const MovingBody& two, const Side& side1, const Side& side2, const ScGeom& geom);
 
 	// A tangential vector of the last step, turned with the contact; its length stays.
 	Vector3r turned(Vector3r vector) const;

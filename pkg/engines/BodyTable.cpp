@@ -46,7 +46,7 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 	Row& row = rows[id];
 	const bool takesPart = body && !body->isClump() && isOfThisRank(*body, scene);
 	const shared_ptr<Shape> none, &shape = takesPart ? body->shape : none;
-	bool changed = !isOf(row.shape, shape);
+	const bool changed = !isOf(row.shape, shape);
 	if (changed) {
 		row.shape = shape;
 		row.ours = dynamic_cast<const Superquadric*>(shape.get());

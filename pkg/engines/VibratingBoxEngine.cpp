@@ -42,7 +42,7 @@ void VibratingBoxEngine::put(const Parameters& values)
 
 void VibratingBoxEngine::check() const
 {
-	for (char letter : freeAxes)
+	for (const char letter : freeAxes)
 		if (axisOf(letter) < 0 || axisOf(letter) > 2 || std::count(freeAxes.begin(), freeAxes.end(), letter) > 1)
 			refuse("freeAxes", "some of x, y, z, each once at most", freeAxes);
 	requirePositive("mass", mass);
@@ -115,8 +115,9 @@ void VibratingBoxEngine::findReferences()
 {
 	if (seenIds == ids) return;
 	std::vector<Vector3r> found;
-	for (Body::id_t id : ids)
-		found.push_back(member(id).pos - displacement);
+	found.reserve(ids.size());
+	for (const Body::id_t id : ids)
+		found.emplace_back(member(id).pos - displacement);
 	references = found;
 	seenIds = ids;
 }
@@ -125,7 +126,7 @@ VibratingBoxEngine::Load VibratingBoxEngine::load() const
 {
 	scene->forces.sync();
 	Load sum { Vector3r::Zero(), Vector3r::Zero(), freePart(oscillator::harmonicForce(forceAmplitude, frequency, phase, scene->time)), mass };
-	for (Body::id_t id : ids) {
+	for (const Body::id_t id : ids) {
 		sum.mass += member(id).mass;
 		sum.contacts += scene->forces.getForce(id);
 	}
@@ -148,7 +149,7 @@ Vector3r VibratingBoxEngine::gravity() const
 Vector3r VibratingBoxEngine::freePart(const Vector3r& vector) const
 {
 	Vector3r part = Vector3r::Zero();
-	for (char letter : freeAxes)
+	for (const char letter : freeAxes)
 		part[axisOf(letter)] = vector[axisOf(letter)];
 	return part;
 }

@@ -12,9 +12,9 @@ void VibrationRecorder::action()
 	const auto [position, velocity] = centroid();
 	const Real halfStep = scene->dt / 2, elapsed = scene->time - lastTime;
 	times.push_back(scene->time + halfStep);
-	boxDisplacement.push_back(box->displacement - halfStep * box->velocity);
+	boxDisplacement.emplace_back(box->displacement - halfStep * box->velocity);
 	boxVelocity.push_back(box->velocity);
-	centroidPosition.push_back(position - halfStep * velocity);
+	centroidPosition.emplace_back(position - halfStep * velocity);
 	centroidVelocity.push_back(velocity);
 	contactForce.push_back(elapsed > 0 ? Vector3r((box->contactImpulse - lastImpulse) / elapsed) : box->contactForce);
 	lastImpulse = box->contactImpulse;
@@ -25,7 +25,7 @@ std::pair<Vector3r, Vector3r> VibrationRecorder::centroid() const
 {
 	Real mass = 0;
 	Vector3r moment = Vector3r::Zero(), momentum = Vector3r::Zero();
-	for (Body::id_t id : particles) {
+	for (const Body::id_t id : particles) {
 		if (!scene->bodies->exists(id)) refuse("particles", "bodies in the scene", id);
 		const State& state = *(*scene->bodies)[id]->state;
 		mass += state.mass;

@@ -22,7 +22,7 @@ template <class Row> std::vector<Row> rowsOf(const boost::python::object& source
 {
 	Py_buffer view;
 	if (PyObject_GetBuffer(source.ptr(), &view, PyBUF_C_CONTIGUOUS) != 0) boost::python::throw_error_already_set();
-	const std::size_t size = std::size_t(view.len);
+	const auto size = std::size_t(view.len);
 	std::vector<Row> rows(size / sizeof(Row));
 	if (!rows.empty()) std::memcpy(static_cast<void*>(rows.data()), view.buf, rows.size() * sizeof(Row));
 	PyBuffer_Release(&view);

@@ -50,7 +50,7 @@ public:
 	               const Vector3r& shift2, const bool& force, const shared_ptr<Interaction>& interaction) override
 	{
 		interaction->swapOrder();
-		return go(shape2, shape1, state2, state1, -shift2, force, interaction);
+		return go(shape2, shape1, state2, state1, -shift2, force, interaction); // NOLINT(readability-suspicious-call-argument)
 	}
 
 protected:

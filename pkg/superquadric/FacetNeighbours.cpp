@@ -49,7 +49,7 @@ namespace {
 			for (int i = 0; i < 27; ++i) {
 				const auto found = cells_.find({ cell[0] + i % 3 - 1, cell[1] + i / 3 % 3 - 1, cell[2] + i / 9 - 1 });
 				if (found == cells_.end()) continue;
-				for (size_t facet : found->second)
+				for (const size_t facet : found->second)
 					visit(facet);
 			}
 		}
@@ -125,7 +125,7 @@ std::vector<MeshFacet> FacetNeighbours::of(const MeshFacet& facet, const Scene& 
 	std::vector<MeshFacet> result;
 	const auto found = neighbours.find(facet.id);
 	if (found == neighbours.end()) return result;
-	for (Body::id_t id : found->second) {
+	for (const Body::id_t id : found->second) {
 		const auto& body = (*scene.bodies)[id];
 		const auto* shape = body ? dynamic_cast<const Facet*>(body->shape.get()) : nullptr;
 		if (!shape) continue;

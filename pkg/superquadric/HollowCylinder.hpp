@@ -8,7 +8,7 @@ namespace yade {
 
 class HollowCylinder : public Shape {
 public:
-	virtual ~HollowCylinder() { }
+	~HollowCylinder() override = default;
 
 	// Unit vector along the axis, in space.
 	static Vector3r axis(const State& state) { return state.ori * Vector3r::UnitZ(); }

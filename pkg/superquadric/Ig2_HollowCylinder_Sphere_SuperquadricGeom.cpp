@@ -32,7 +32,7 @@ bool Ig2_HollowCylinder_Sphere_SuperquadricGeom::solve(const Shape& shape1, cons
 	const auto& cylinder = static_cast<const HollowCylinder&>(shape1);
 	const Real radius = static_cast<const Sphere&>(shape2).radius;
 	const Vector3r centre = pair.position2();
-	if (!pair.mustBeKept() && cylinder.distanceFromAxis(centre, pair.state1) > cylinder.radius) return false;
+	if (!pair.mustBeKept() && HollowCylinder::distanceFromAxis(centre, pair.state1) > cylinder.radius) return false;
 
 	const auto contact = contactOf(cylinder, pair.state1, centre, radius);
 	if (!touches(contact) || !cylinder.spans(contact.surface2, pair.state1)) return pair.part(contact);

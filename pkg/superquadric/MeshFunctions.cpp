@@ -21,7 +21,7 @@ namespace {
 	{
 		superquadric::TriangleMesh mesh { rowsOf<Vector3r>(points, "points"), rowsOf<std::array<int, 3>>(triangles, "triangles") };
 		for (const auto& triangle : mesh.triangles)
-			for (int corner : triangle)
+			for (const int corner : triangle)
 				if (corner < 0 || std::size_t(corner) >= mesh.points.size()) refuse("triangles", "indices of points", corner);
 		return mesh;
 	}

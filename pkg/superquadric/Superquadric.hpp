@@ -9,7 +9,7 @@ namespace yade {
 
 class Superquadric : public Shape {
 public:
-	virtual ~Superquadric() { }
+	~Superquadric() override = default;
 
 	// The mathematical shape that belongs to the attributes.
 	const superquadric::Shape& solid() const { return valid; }

@@ -24,7 +24,7 @@ public:
 		Real smallestHalfSize = 0; // [m]
 	};
 
-	virtual ~SuperquadricGeom() = default;
+	~SuperquadricGeom() override = default;
 
 	superquadric::WarmStart warmStart() const;
 	void setWarmStart(const superquadric::WarmStart& warm);

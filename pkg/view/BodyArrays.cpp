@@ -22,8 +22,8 @@ namespace yade {
 YADE_PLUGIN((BodyArrays));
 
 namespace {
-	static_assert(sizeof(Real) == sizeof(double) && sizeof(rows::Particle) == 33 * 8);
-	static_assert(sizeof(rows::Contact) == 18 * 8 && sizeof(rows::Border) == 18 * 8);
+	static_assert(sizeof(Real) == sizeof(double) && sizeof(rows::Particle) == 33 * sizeof(double));
+	static_assert(sizeof(rows::Contact) == 18 * sizeof(double) && sizeof(rows::Border) == 18 * sizeof(double));
 
 	template <class Vector> void put(const Vector& from, double* to) { std::copy(from.data(), from.data() + from.size(), to); }
 
@@ -159,7 +159,7 @@ namespace {
 			row.numbers[1] = cylinder->height;
 		} else if (const auto* facet = dynamic_cast<const Facet*>(body.shape.get())) {
 			row.kind = rows::FacetKind;
-			for (int i = 0; i < 3; ++i)
+			for (std::ptrdiff_t i = 0; i < 3; ++i)
 				put(Vector3r(body.state->pos + body.state->ori * facet->vertices[i]), row.numbers + 3 * i);
 		} else {
 			return false;

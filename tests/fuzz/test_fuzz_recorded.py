@@ -3,7 +3,6 @@ that names the file."""
 import os
 import shutil
 
-import numpy
 import pytest
 from hypothesis import strategies as st
 from yade import O, utils
