@@ -17,7 +17,8 @@ namespace {
 		int divisions;
 
 		Vector3r inward(int i) const { return { -std::cos(2 * M_PI * i / divisions), -std::sin(2 * M_PI * i / divisions), 0 }; }
-		Vector3r point(int i, Real z) const { return z * Vector3r::UnitZ() - radius * inward(i); }
+		// Of a prism about the cylinder: an inscribed one would cut into particles at the wall.
+		Vector3r point(int i, Real z) const { return z * Vector3r::UnitZ() - radius / std::cos(M_PI / divisions) * inward(i); }
 	};
 
 	Tube visiblePart(const HollowCylinder& cylinder, const State& state, const GLViewInfo& view, int divisions)
