@@ -10,7 +10,6 @@
 #include <pkg/common/Collider.hpp>
 #include <pkg/common/Sphere.hpp>
 #include <pkg/contact/CurvatureLaw.hpp>
-#include <pkg/geometry/ParticleStress.hpp>
 #include <pkg/superquadric/Checks.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
@@ -108,22 +107,22 @@ std::vector<BreakageEngine::Event> BreakageEngine::collect()
 	std::sort(ids.begin(), ids.end());
 	ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
 	std::vector<Event> events;
-	for (Body::id_t id : ids) {
+	for (const Body::id_t id : ids) {
 		if (!scene->bodies->exists(id)) refuse("forced", "ids of bodies in the scene", id);
 		const auto particle = candidate(*(*scene->bodies)[id]);
 		if (!particle) refuse("forced", "ids of particles that can break", id);
-		events.push_back({ *particle, stress(*particle), /*forced*/ true });
+		events.push_back({ *particle, particle->stress(criterion, *scene), /*forced*/ true });
 	}
 	for (const auto& body : *scene->bodies) {
 		const auto particle = candidate(*body);
 		if (!particle || std::binary_search(ids.begin(), ids.end(), body->getId())) continue;
-		const Real value = stress(*particle);
+		const Real value = particle->stress(criterion, *scene);
 		if (value >= particle->state->strength) events.push_back({ *particle, value, /*forced*/ false });
 	}
 	return events;
 }
 
-std::optional<BreakageEngine::Candidate> BreakageEngine::candidate(Body& body)
+std::optional<BreakableParticle> BreakageEngine::candidate(Body& body)
 {
 	const auto* material = dynamic_cast<const BreakableMat*>(body.material.get());
 	if (!material || !body.isStandalone() || body.state->blockedDOFs == State::DOF_ALL) return std::nullopt;
@@ -133,7 +132,7 @@ std::optional<BreakageEngine::Candidate> BreakageEngine::candidate(Body& body)
 	if (!state) refuse("state", "a BreakableState, as material.newAssocState() makes it, of a body of BreakableMat", body.getId());
 	if (std::isnan(state->strength)) state->strength = material->law().quantile(size, superquadric::CounterRandom(seed, body.getId(), Strength).uniform());
 	if (!(state->strength > 0)) refuse("strength", "positive", state->strength);
-	return Candidate { &body, material, state, size, volume };
+	return BreakableParticle { &body, material, state, size, volume };
 }
 
 // Of a superquadric it takes logarithms of gamma functions: remembered as long as the shape stays.
@@ -165,14 +164,7 @@ bool BreakageEngine::canBeCut(const Body& body, Real size) const
 	return least(body, size).share <= (mode == "balls4" ? 1. / 4 : 1. / 18);
 }
 
-Real BreakageEngine::stress(const Candidate& particle) const
-{
-	const ParticleContacts contacts(*particle.body, *scene);
-	if (criterion == "force") return contacts.largestForce() / (particle.size * particle.size);
-	return superquadric::octahedralShearStress(contacts.stressSum() / particle.volume);
-}
-
-fragments::Pieces BreakageEngine::cut(const Candidate& parent)
+fragments::Pieces BreakageEngine::cut(const BreakableParticle& parent)
 {
 	if (mode == "balls4") return fragments::fourBalls();
 	if (mode == "balls18") return fragments::eighteenBalls();
@@ -182,27 +174,19 @@ fragments::Pieces BreakageEngine::cut(const Candidate& parent)
 		++evenCuts;
 		point = Vector3r::Constant(0.5);
 	}
-	return isBall(parent) ? fragments::ballsOfBlocks(*point) : fragments::blocks(*point);
-}
-
-bool BreakageEngine::isBall(const Candidate& particle) { return dynamic_cast<const Sphere*>(particle.body->shape.get()); }
-
-superquadric::Shape BreakageEngine::shapeOf(const Candidate& particle)
-{
-	if (const auto* sphere = dynamic_cast<const Sphere*>(particle.body->shape.get())) return { Vector3r::Constant(sphere->radius), 2, 2 };
-	return static_cast<const Superquadric&>(*particle.body->shape).solid();
+	return parent.isBall() ? fragments::ballsOfBlocks(*point) : fragments::blocks(*point);
 }
 
 void BreakageEngine::breakUp(const Event& event)
 {
-	const Candidate& parent = event.parent;
+	const BreakableParticle& parent = event.parent;
 	const BreakableState& state = *parent.state;
 	const Real factor = state.inertiaFactor;
 	const Body::id_t id = parent.body->getId();
 	const ParticleContacts contacts(*parent.body, *scene);
 	const Real stored = contacts.storedEnergy();
-	const superquadric::Shape shape = shapeOf(parent);
-	const fragments::Parent before { shape, state.mass / factor, state.inertia / factor, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, isBall(parent) };
+	const superquadric::Shape shape = parent.solid();
+	const fragments::Parent before { shape, state.mass / factor, state.inertia / factor, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, parent.isBall() };
 	const fragments::Pieces pieces = cut(parent);
 	checkTimeStep(*parent.material, shape, pieces);
 	superquadric::CounterRandom turns(seed, id, Turn);
@@ -267,50 +251,6 @@ void BreakageEngine::checkTimeStep(const BreakableMat& material, const superquad
 	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or "
 		"inertialSize, or a shorter step)";
 	refuse("O.dt", demand.str().c_str(), scene->dt);
-}
-
-void BreakageEngine::log(const Event& event, const fragments::Pieces& pieces, Real elasticLoss, Real spinLoss)
-{
-	const Candidate& parent = event.parent;
-	eventTimes.push_back(scene->time);
-	eventSteps.push_back(int(scene->iter));
-	eventParents.push_back(parent.body->getId());
-	eventGenerations.push_back(parent.state->generation);
-	eventSizes.push_back(parent.size);
-	eventValues.push_back(event.value);
-	eventStrengths.push_back(parent.state->strength);
-	eventElasticLosses.push_back(elasticLoss);
-	eventSpinLosses.push_back(spinLoss);
-	childNumbers.push_back(int(pieces.size()));
-	for (const fragments::Piece& piece : pieces)
-		childSizes.push_back(parent.size * std::cbrt(piece.share));
-}
-
-boost::python::list BreakageEngine::events() const
-{
-	boost::python::list all;
-	std::size_t child = 0;
-	for (std::size_t i = 0; i < eventTimes.size(); ++i) {
-		boost::python::dict event;
-		event["time"] = eventTimes[i];
-		event["step"] = eventSteps[i];
-		event["parent"] = eventParents[i];
-		event["generation"] = eventGenerations[i];
-		event["size"] = eventSizes[i];
-		event["value"] = eventValues[i];
-		event["strength"] = eventStrengths[i];
-		event["elasticLoss"] = eventElasticLosses[i];
-		event["spinLoss"] = eventSpinLosses[i];
-		boost::python::list ids, sizes;
-		for (int left = childNumbers[i]; left > 0; --left, ++child) {
-			ids.append(childIds[child]);
-			sizes.append(childSizes[child]);
-		}
-		event["children"] = ids;
-		event["childSizes"] = sizes;
-		all.append(event);
-	}
-	return all;
 }
 
 } // namespace yade

@@ -1,7 +1,7 @@
 // Breaks particles into smaller ones: YADE's side of pkg/geometry/Fragments.hpp, FragmentMotion.hpp and ParticleStress.hpp.
 #pragma once
 
-#include "BreakableMat.hpp"
+#include "BreakableParticle.hpp"
 
 #include <core/Scene.hpp>
 #include <pkg/common/PeriodicEngines.hpp>
@@ -28,17 +28,9 @@ private:
 		Real cutExponent, smallestFragment, inertialSize;
 		int maxEvents, seed;
 	};
-	// A particle that may break.
-	struct Candidate {
-		Body* body;
-		const BreakableMat* material;
-		BreakableState* state;
-		Real size; // [m]
-		Real volume; // [m^3]
-	};
-	// One that does.
+	// A particle that breaks.
 	struct Event {
-		Candidate parent;
+		BreakableParticle parent;
 		Real value; // of the criterion [Pa]
 		bool forced;
 	};
@@ -50,14 +42,11 @@ private:
 	void checkOrder() const;
 
 	std::vector<Event> collect();
-	std::optional<Candidate> candidate(Body& body);
+	std::optional<BreakableParticle> candidate(Body& body);
 	Real volumeOf(const Body& body);
 	superquadric::fragments::Least least(const Body& body, Real size) const;
 	bool canBeCut(const Body& body, Real size) const;
-	Real stress(const Candidate& particle) const;
-	superquadric::fragments::Pieces cut(const Candidate& parent);
-	static bool isBall(const Candidate& particle);
-	static superquadric::Shape shapeOf(const Candidate& particle);
+	superquadric::fragments::Pieces cut(const BreakableParticle& parent);
 	void breakUp(const Event& event);
 	void noteBirths(Body::id_t first) const;
 	void addInertia(Body& fragment, Real parentFactor) const;

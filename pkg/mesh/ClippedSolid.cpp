@@ -20,8 +20,8 @@ ClippedSolid::ClippedSolid(const std::vector<Vector3>& points, const std::vector
 	corners_.reserve(3 * triangles.size());
 	ends_.reserve(triangles.size());
 	for (const auto& triangle : triangles) {
-		for (int corner : triangle)
-			corners_.push_back(rotation * points[std::size_t(corner)]);
+		for (const int corner : triangle)
+			corners_.emplace_back(rotation * points[std::size_t(corner)]);
 		ends_.push_back(corners_.size());
 	}
 }
@@ -59,7 +59,7 @@ void ClippedSolid::clipPolygon(std::size_t begin, std::size_t end)
 		else firstEntry = x;
 		if (there) left.reset();
 	}
-	if (left) cuts_.push_back({ *left, *firstEntry });
+	if (left && firstEntry) cuts_.push_back({ *left, *firstEntry });
 	if (keptCorners_.size() > before) keptEnds_.push_back(keptCorners_.size());
 }
 

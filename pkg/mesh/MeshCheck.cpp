@@ -20,8 +20,9 @@ namespace {
 	struct Defect {
 		const char* what;
 		std::size_t number = 0;
-		std::vector<Vector3> where {};
+		std::vector<Vector3> where;
 
+		explicit Defect(const char* what) : what(what) { }
 		void add(const std::vector<Vector3>& place)
 		{
 			if (number++ == 0) where = place;
@@ -145,7 +146,9 @@ namespace {
 	Facing facingOf(const TriangleMesh& mesh, Findings& findings)
 	{
 		const cgal::SurfaceMesh surface = cgal::surfaceOf(mesh);
-		if (!pmp::does_bound_a_volume(surface)) findings.note({ "closed surface whose parts do not bound a volume together (turn round the inner shells, or the parts that face the other way)", 1, {} });
+		Defect unbounded { "closed surface whose parts do not bound a volume together (turn round the inner shells, or the parts that face the other way)" };
+		if (!pmp::does_bound_a_volume(surface)) unbounded.add({});
+		findings.note(unbounded);
 		return pmp::volume(surface) > 0 ? Facing::outward : Facing::inward;
 	}
 

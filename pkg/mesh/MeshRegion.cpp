@@ -159,7 +159,7 @@ double MeshRegion::volumeWithin(const ClippedSolid& solid, const Placement& body
 	Faces fewest;
 	Vector3 u = Vector3::Zero();
 	for (int axis = 0; axis < 3; ++axis)
-		for (bool up : { true, false }) {
+		for (const bool up : { true, false }) {
 			Faces faces = search_->ahead(boxOf(body), axis, up);
 			if (u.isZero(0) || faces.size() < fewest.size()) {
 				fewest.swap(faces);
