@@ -23,7 +23,8 @@ cutting = st.fixed_dictionaries({
     'cutExponent': st.one_of(st.just(2.0), ratio, size, finite.map(abs)),
     'smallestFragment': st.one_of(st.just(0.0), st.just(0.0), size, finite.map(abs)),
     'maxEvents': st.integers(1, 3), 'seed': st.integers(0, 2 ** 31 - 1)})
-BREAKAGE = 'forced', 'mode', 'O.dt', 'strength', 'cutExponent', 'smallestFragment', 'inertialSize', 'inertiaFactor'
+# What a step may be refused for; extents: of a fragment that a large cutExponent makes smaller than any number that is allowed.
+BREAKAGE = 'forced', 'mode', 'O.dt', 'strength', 'cutExponent', 'smallestFragment', 'inertialSize', 'inertiaFactor', 'extents'
 
 
 def particles(solids, motions, radius, apart, **material):
