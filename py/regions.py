@@ -80,7 +80,8 @@ class Cylinder:
         half = math.pi / sides
         inner, alike, outer = (_inHalfSpaces(particles, accuracy, self._prism(sides, apothem * self.radius))
                                for apothem in (math.cos(half), math.sqrt(half / math.tan(half)), 1.0))
-        return np.column_stack([inner[:, 0], alike[:, 1], outer[:, 2]])
+        low, high = np.minimum(inner[:, 0], outer[:, 2]), outer[:, 2]  # of a cylinder much thinner than particles only rounding is left
+        return np.column_stack([low, np.clip(alike[:, 1], low, high), high])
 
     def _sides(self, distance):
         """Of a prism that lies within the distance [m] of the cylinder; no more than SIDES, the bounds are farther apart then."""

@@ -93,7 +93,8 @@ void VibratingBoxEngine::action()
 void VibratingBoxEngine::requireFiniteStep(const Load& now, const Vector3r& next) const
 {
 	const Vector3r impulse = scene->dt * now.contacts, way = scene->dt * next;
-	if ((contactImpulse + impulse).allFinite() && next.allFinite() && (displacement + way).allFinite()) return;
+	const bool membersStay = std::all_of(references.begin(), references.end(), [&](const Vector3r& x) { return (x + displacement + way).allFinite(); });
+	if (membersStay && (contactImpulse + impulse).allFinite() && next.allFinite() && (displacement + way).allFinite()) return;
 	std::ostringstream message;
 	message << "VibratingBoxEngine: the box would get the velocity " << next.transpose() << " m/s at displacement " << displacement.transpose()
 		<< " m, from forces on its members of " << now.contacts.transpose() << " N and a drive of " << now.drive.transpose() << " N; is O.dt = "

@@ -32,7 +32,8 @@ namespace {
 	{
 		const ClippedSolid solid(tessellation.points, tessellation.triangles, body.rotation);
 		const double tessellated = std::min(solid.volume(), whole), within = std::clamp(region.volumeWithin(solid, body), 0.0, tessellated);
-		return { within, within * (whole / tessellated), std::min(within + whole - tessellated, whole) };
+		const double most = std::max(within, std::min(within + whole - tessellated, whole));
+		return { within, std::clamp(within * (whole / tessellated), within, most), most };
 	}
 
 } // namespace

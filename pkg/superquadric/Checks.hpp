@@ -4,8 +4,10 @@
 #include <lib/base/Math.hpp>
 
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace yade {
 
@@ -13,6 +15,17 @@ template <class Value> [[noreturn]] void refuse(const char* name, const char* de
 {
 	std::ostringstream message;
 	message << name << " must be " << demand << ", got " << value;
+	throw std::invalid_argument(message.str());
+}
+
+// A text from Python may have been bytes: what Python could not read in a message is written out.
+[[noreturn]] inline void refuse(const char* name, const char* demand, const std::string& value)
+{
+	std::ostringstream message;
+	message << name << " must be " << demand << ", got " << std::hex << std::setfill('0');
+	for (const unsigned char letter : value)
+		if (letter < 0x80) message << letter;
+		else message << "\\x" << std::setw(2) << int(letter);
 	throw std::invalid_argument(message.str());
 }
 

@@ -77,7 +77,8 @@ def test_textsOfAnyWords(file, words, solid):
       claimed=st.one_of(st.integers(0, 5), st.sampled_from((2 ** 31, 2 ** 32 - 1))),
       body=st.lists(st.one_of(st.floats(width=32), st.integers(-1, 1).map(float)), max_size=48), rest=st.integers(0, 49))
 def test_binaryFilesOfAnyNumbers(file, header, claimed, body, rest):
-    """A number of triangles that the file does not hold is refused, however large; the corners are those in the file."""
+    """A number of triangles that the file does not hold is refused, however large; the corners are those in the file, where all their coordinates
+    are numbers."""
     rows = [body[i:i + 12] for i in range(0, len(body) - 11, 12)]
     content = header.ljust(80, b'\0') + struct.pack('<I', claimed) + b''.join(struct.pack('<12fH', *row, 0) for row in rows) + bytes(rest)
     surface, no = read(file, content)
@@ -85,7 +86,8 @@ def test_binaryFilesOfAnyNumbers(file, header, claimed, body, rest):
         assert no
     elif not header.startswith(b'solid'):
         expected = numpy.array([row[3:] for row in rows[:claimed]]).reshape(-1, 3, 3)
-        assert not no and numpy.array_equal(surface.points[surface.triangles], expected, equal_nan=True)
+        whole = numpy.isfinite(expected).all(axis=2)
+        assert not no and numpy.array_equal(surface.points[surface.triangles][whole], expected[whole])
 
 
 @fuzz(points=st.lists(st.tuples(*[st.floats(allow_nan=False, allow_infinity=False)] * 3), min_size=3, max_size=6),
