@@ -150,7 +150,8 @@ void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superqua
 	const Vector3r noShift = Vector3r::Zero();
 	const ContactPair pair { *body1.state, *body2.state, noShift, /*force*/ false, interaction, scene };
 	const bool wasReal = interaction->isReal();
-	if (!geometry->describe(contact, *bodies[row.id1].placement, *bodies[row.id2].placement, pair, row.warm)) return;
+	using Geometry = Ig2_Superquadric_Superquadric_SuperquadricGeom;
+	if (!Geometry::describe(contact, *bodies[row.id1].placement, *bodies[row.id2].placement, pair, row.warm)) return;
 	interaction->functorCache.geom = geometry;
 	makePhysics(interaction, body1, body2);
 	if (!wasReal) interaction->iterMadeReal = scene->iter;
