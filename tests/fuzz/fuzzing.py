@@ -84,6 +84,14 @@ anything = st.one_of(number, unlike)
 vector = st.one_of(st.tuples(number, number, number), st.tuples(number, number, number).map(lambda v: Vector3(*v)), direction, anything)
 
 
+def survives(value):
+    """Whether YADE's own conversion of lists survives the value: PartialEngine().ids = numpy.array(2.5) ends the process."""
+    return not (isinstance(value, numpy.ndarray) and value.ndim == 0)
+
+
+assignable = st.one_of(anything, vector).filter(survives)  # to an attribute
+
+
 def same(first, second):
     """Whether two values are equal, NaN with NaN as well, in sequences and dicts too."""
     return repr(first) == repr(second) or bool(numpy.all(first == second))

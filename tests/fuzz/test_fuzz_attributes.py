@@ -2,7 +2,7 @@
 from hypothesis import strategies as st
 from yade import wrapper
 
-from fuzzing import anything, fuzz, refused, same, vector
+from fuzzing import anything, assignable, fuzz, refused, same
 
 CLASSES = ('Superquadric', 'HollowCylinder', 'CurvatureMat', 'ElastoplasticMat', 'BreakableMat', 'BreakableState', 'BreakageEngine',
            'VibratingBoxEngine', 'VibrationRecorder', 'Law2_ScGeom_CurvaturePhys_HertzMindlin', 'Law2_ScGeom_ElastoplasticPhys_FourPath',
@@ -21,7 +21,7 @@ def ownAttributes(name):
 attribute = st.sampled_from([(name, key) for name in CLASSES for key in ownAttributes(name)])
 
 
-@fuzz(weight=10, which=attribute, value=st.one_of(anything, vector))
+@fuzz(weight=10, which=attribute, value=assignable)
 def test_attributesTakeOrRefuse(which, value):
     name, key = which
     thing = getattr(wrapper, name)()
@@ -36,7 +36,7 @@ def test_attributesTakeOrRefuse(which, value):
 @fuzz(weight=4, which=st.sampled_from(CLASSES), data=st.data())
 def test_constructorsAndUpdatesTakeOrRefuse(which, data):
     keys = ownAttributes(which)
-    values = data.draw(st.dictionaries(st.sampled_from([*keys, 'noSuchAttribute']), st.one_of(anything, vector), min_size=1, max_size=4))
+    values = data.draw(st.dictionaries(st.sampled_from([*keys, 'noSuchAttribute']), assignable, min_size=1, max_size=4))
     _, no = refused(lambda: getattr(wrapper, which)(**values), *values, also=YADES)
     thing = getattr(wrapper, which)()
     _, alsoNo = refused(lambda: thing.updateAttrs(values), *values, also=YADES)
