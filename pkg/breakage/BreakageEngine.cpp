@@ -10,6 +10,7 @@
 #include <pkg/common/Collider.hpp>
 #include <pkg/common/Sphere.hpp>
 #include <pkg/contact/CurvatureLaw.hpp>
+#include <pkg/geometry/Tolerances.hpp>
 #include <pkg/superquadric/Checks.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
@@ -51,6 +52,7 @@ void BreakageEngine::check() const
 	requirePositive("cutExponent", cutExponent);
 	requireNotNegative("smallestFragment", smallestFragment);
 	requireNotNegative("inertialSize", inertialSize);
+	if (inertialSize > superquadric::tolerances::largestHalfSize) refuse("inertialSize", "no larger than a particle may be", inertialSize);
 	if (maxEvents < 1) refuse("maxEvents", "at least 1", maxEvents);
 	if (seed < 0) refuse("seed", "not negative", seed);
 }
@@ -77,10 +79,11 @@ void BreakageEngine::action()
 	const std::ptrdiff_t asked = events.end() - firstToWait;
 	waiting = int(std::max<std::ptrdiff_t>(0, asked - maxEvents));
 	events.erase(events.end() - waiting, events.end());
-	forced.clear();
+	const std::vector<fragments::Pieces> pieces = cutAll(events);
 	if (!events.empty()) noteBirths(scene->bodies->size());
-	for (const Event& event : events)
-		breakUp(event);
+	forced.clear();
+	for (std::size_t i = 0; i < events.size(); ++i)
+		breakUp(events[i], pieces[i]);
 }
 
 void BreakageEngine::letGo()
@@ -164,20 +167,33 @@ bool BreakageEngine::canBeCut(const Body& body, Real size) const
 	return least(body, size).share <= (mode == "balls4" ? 1. / 4 : 1. / 18);
 }
 
-fragments::Pieces BreakageEngine::cut(const BreakableParticle& parent)
+// Before any of them breaks: fragments that cannot be are refused, and nothing has changed then.
+std::vector<fragments::Pieces> BreakageEngine::cutAll(const std::vector<Event>& events)
+{
+	std::vector<fragments::Pieces> all;
+	int even = 0;
+	for (const Event& event : events) {
+		all.push_back(cut(event.parent, even));
+		checkFragments(*event.parent.material, event.parent.solid(), all.back());
+	}
+	evenCuts += even;
+	return all;
+}
+
+fragments::Pieces BreakageEngine::cut(const BreakableParticle& parent, int& even) const
 {
 	if (mode == "balls4") return fragments::fourBalls();
 	if (mode == "balls18") return fragments::eighteenBalls();
 	superquadric::CounterRandom random(seed, parent.body->getId(), Cut);
 	auto point = fragments::drawCut(random, cutExponent, least(*parent.body, parent.size));
 	if (!point) {
-		++evenCuts;
+		++even;
 		point = Vector3r::Constant(0.5);
 	}
 	return parent.isBall() ? fragments::ballsOfBlocks(*point) : fragments::blocks(*point);
 }
 
-void BreakageEngine::breakUp(const Event& event)
+void BreakageEngine::breakUp(const Event& event, const fragments::Pieces& pieces)
 {
 	const BreakableParticle& parent = event.parent;
 	const BreakableState& state = *parent.state;
@@ -187,8 +203,6 @@ void BreakageEngine::breakUp(const Event& event)
 	const Real stored = contacts.storedEnergy();
 	const superquadric::Shape shape = parent.solid();
 	const fragments::Parent before { shape, state.mass / factor, state.inertia / factor, state.ori.toRotationMatrix(), state.angVel, contacts.deepest(), stored, parent.isBall() };
-	const fragments::Pieces pieces = cut(parent);
-	checkTimeStep(*parent.material, shape, pieces);
 	superquadric::CounterRandom turns(seed, id, Turn);
 	const fragments::Layout layout = fragments::arrange(pieces, before, turns);
 	if (layout.gains) ++spinGains;
@@ -239,15 +253,20 @@ void BreakageEngine::addInertia(Body& fragment, Real parentFactor) const
 }
 
 // A fragment that the time step is too long for would be thrown out of the scene, and then its neighbours.
-void BreakageEngine::checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const fragments::Pieces& pieces) const
+void BreakageEngine::checkFragments(const BreakableMat& material, const superquadric::Shape& shape, const fragments::Pieces& pieces) const
 {
 	Real smallest = shape.smallestHalfSize();
 	for (const fragments::Piece& piece : pieces)
 		smallest = std::min(smallest, shape.halfSizes().cwiseProduct(piece.scale).minCoeff());
+	std::ostringstream demand;
+	if (!(smallest >= superquadric::tolerances::smallestHalfSize)) {
+		demand << "larger where cutExponent is " << cutExponent << ", which gives a fragment with the half size " << smallest << " m (at least "
+		       << superquadric::tolerances::smallestHalfSize << " m is possible)";
+		refuse("smallestFragment", demand.str().c_str(), smallestFragment);
+	}
 	smallest = std::max(smallest, inertialSize / 2);
 	const Real critical = material.criticalTimeStep(smallest);
 	if (scene->dt <= critical || scene->timeStepperActive()) return;
-	std::ostringstream demand;
 	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or "
 		"inertialSize, or a shorter step)";
 	refuse("O.dt", demand.str().c_str(), scene->dt);

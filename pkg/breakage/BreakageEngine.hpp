@@ -46,11 +46,12 @@ private:
 	Real volumeOf(const Body& body);
 	superquadric::fragments::Least least(const Body& body, Real size) const;
 	bool canBeCut(const Body& body, Real size) const;
-	superquadric::fragments::Pieces cut(const BreakableParticle& parent);
-	void breakUp(const Event& event);
+	std::vector<superquadric::fragments::Pieces> cutAll(const std::vector<Event>& events);
+	superquadric::fragments::Pieces cut(const BreakableParticle& parent, int& even) const;
+	void breakUp(const Event& event, const superquadric::fragments::Pieces& pieces);
 	void noteBirths(Body::id_t first) const;
 	void addInertia(Body& fragment, Real parentFactor) const;
-	void checkTimeStep(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
+	void checkFragments(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
 	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
 	Parameters accepted;
@@ -83,7 +84,7 @@ private:
 			"negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. 0: as published; but a "
 			"fragment whose critical time step is below O.dt raises ValueError at the call in which it would be made, unless a :yref:`TimeStepper` "
 			"is active or inertialSize helps."))
-		((Real, inertialSize, 0, Attr::triggerPostLoad, "For quasi-static loading, not negative [m]: fragments of a width w below it are born with "
+		((Real, inertialSize, 0, Attr::triggerPostLoad, "For quasi-static loading, from 0 to 1e30 [m]: fragments of a width w below it are born with "
 			"$(inertialSize/w)^2$ times their mass and inertia, with which their critical time step is that of a width of inertialSize. "
 			"Shape, volume, stiffness and velocity are their own; that factor is in :yref:`BreakableState.inertiaFactor`. Momentum and energy of "
 				"motion are those of the true masses up to the birth, and grow by the factor then. 0: none."))
