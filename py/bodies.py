@@ -13,6 +13,8 @@ from yade.wrapper import Body, Superquadric
 
 from . import checks
 
+LARGEST_ID = 2 ** 31 - 1  # YADE's numbers of bodies have 32 bits
+
 SHAPES = ('sphere', 'ellipsoid', 'cylinder', 'cube', 'block')
 BLOCK_EXPONENT = 8.0  # the paper's largest exponent: its "cube", "block" and the flat ends of its "cylinder"
 
@@ -128,15 +130,20 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     return body
 
 
-def present(name, ids):
-    """`ids` as a list of whole numbers, each of a body that is in the scene."""
+def numbers(name, ids):
+    """`ids` as a list of whole numbers that bodies may have."""
     if isinstance(ids, (str, bytes)) or not isinstance(ids, Iterable):
         raise ValueError(f'{name} = {ids!r}: must be numbers of bodies')
-    numbers = [checks.wholeNumber(name, i, 0) for i in ids]
-    for i in numbers:
-        if i >= len(O.bodies) or O.bodies[i] is None:
+    return [checks.wholeNumber(name, i, 0, LARGEST_ID) for i in ids]
+
+
+def present(name, ids):
+    """`ids` as a list of whole numbers, each of a body that is in the scene."""
+    found, bodies = numbers(name, ids), O.bodies
+    for i in found:
+        if i >= len(bodies) or bodies[i] is None:
             raise ValueError(f'{name}: must be of bodies in the scene, got {checks.shown(i)}')
-    return numbers
+    return found
 
 
 def rotation(orientation):

@@ -3,7 +3,7 @@ import numpy as np
 
 from yade.wrapper import BodyArrays
 
-from .bodies import present
+from .bodies import numbers
 
 SPHERE, SUPERQUADRIC, WALL, CYLINDER, FACET = range(5)  # kinds of shapes
 
@@ -26,7 +26,7 @@ def particles(ids=None):
 
     :raises ValueError: a body that is not in the scene
     """
-    return np.frombuffer(BodyArrays().particles(ids if ids is None else present('ids', ids)), PARTICLE)
+    return np.frombuffer(BodyArrays().particles(ids if ids is None else numbers('ids', ids)), PARTICLE)
 
 
 def contacts():

@@ -229,8 +229,9 @@ class Totals:
         Totals._all.append(self)
         if rank() == 0:
             command = f'{self.COMMAND}[{len(Totals._all) - 1}].record()'
-            O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=O.iter + every - 1,
-                                              initRun=True)]  # which counts where the first one is step 0: that is no firstIterRun to YADE
+            first = O.iter + every - 1
+            # Step 0 is no firstIterRun to YADE.
+            O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=first, initRun=first == 0)]
 
     def record(self):
         """Called on all ranks in the same step."""

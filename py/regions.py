@@ -124,8 +124,7 @@ class Mesh:
 
     def contains(self, points):
         """Which of the `points` (N, 3) [m] are inside, (N,) bool."""
-        points = np.zeros((0, 3)) if isinstance(points, (list, tuple)) and not points else points
-        questions = table('points', points, np.float64)
+        questions = table('points', points if np.size(points) else np.zeros((0, 3)), np.float64)
         return np.frombuffer(MeshFunctions.contained(self.surface.points, self.surface.triangles, self.surface.name, questions), dtype=bool)
 
     def solidVolumes(self, particles, accuracy, halfSpaces=ALL):

@@ -54,7 +54,8 @@ class Style:
         for frame in frames:
             if limits is None and hasScale(colour):
                 values.append(COLOURS[colour][1] * COLOURS[colour][2](frame))
-            strongest.append(_quantile(frame.normalForces(), TOP_SHARE))
+            forces = frame.normalForces()
+            strongest.append(_quantile(forces[np.isfinite(forces)], TOP_SHARE))
             if len(frame.particles):
                 sizes.append(np.median(frame.particles['extents'].min(axis=1)))
             kinds = np.unique(np.concatenate([kinds, _shapes(frame)]), axis=0)

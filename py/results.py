@@ -80,17 +80,24 @@ class Replacing:
         return self.file
 
     def __exit__(self, failed, *_):
-        if not failed:
-            self.file.flush()
-            os.fsync(self.file.fileno())
-        self.file.close()
         try:
             if not failed:
+                self.file.flush()  # where a full disk shows
+                os.fsync(self.file.fileno())
+                self.file.close()
                 os.replace(self.partial, self.path)
-                _flushFolder(os.path.dirname(self.path) or '.')
-        finally:
-            with contextlib.suppress(FileNotFoundError):  # it has taken the place of the other
-                os.remove(self.partial)
+        except BaseException:
+            self._giveUp()
+            raise
+        if failed:
+            self._giveUp()
+        else:
+            _flushFolder(os.path.dirname(self.path) or '.')
+
+    def _giveUp(self):
+        with contextlib.suppress(OSError):  # what is in its buffer may fail once more
+            self.file.close()
+        os.remove(self.partial)
 
 
 def _flushFolder(path):

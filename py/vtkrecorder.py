@@ -42,25 +42,37 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     what['detail'] = checks.above('detail', detail, 0, 1)
     what['ids'] = None if ids is None else present('ids', ids)
     initRun, label = checks.boolean('initRun', initRun), checks.text('label', label)
-    if not (isinstance(folder, (str, os.PathLike)) and os.fspath(folder) and '\0' not in os.fspath(folder)):
+    if not isinstance(folder, (str, os.PathLike)) or not checks.path('folder', folder):
         raise ValueError(f'folder = {folder!r}: must be the path of a folder')
+    folder = checks.path('folder', folder)
     vtkfiles.requireVtk()
+    _series(folder, what)
     os.makedirs(folder, exist_ok=True)
     if not os.access(folder, os.W_OK):
         raise PermissionError(f'folder = {folder!r}: cannot be written to')
     arguments = ', '.join(f'{name}={value!r}' for name, value in what.items())
-    command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({os.fspath(folder)!r}, {arguments})"
+    command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({folder!r}, {arguments})"
     return PyRunner(command=command, updateGlobals=False, initRun=initRun, label=label, **periods)
 
 
 def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
     frame = Frame.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
-    kinds = [(True, lambda: vtkfiles.particleData(frame)), (surfaces, lambda: vtkfiles.surfaceData(frame, detail, normals)),
-             (contacts, lambda: vtkfiles.contactData(frame)), (container, lambda: vtkfiles.containerData(frame))]
-    for name, (wanted, make) in zip(SERIES, kinds):
-        if wanted:
-            Series(folder, name).append(frame.step, frame.time, lambda path, make=make: vtkfiles.write(path, make()))
+    data = {'particles': lambda: vtkfiles.particleData(frame), 'surfaces': lambda: vtkfiles.surfaceData(frame, detail, normals),
+            'contacts': lambda: vtkfiles.contactData(frame), 'container': lambda: vtkfiles.containerData(frame)}
+    for series in _series(folder, {'surfaces': surfaces, 'contacts': contacts, 'container': container}):
+        series.append(frame.step, frame.time, lambda path, make=data[series.name]: vtkfiles.write(path, make()))
+
+
+def _series(folder, wanted):
+    """The `Series` that are `wanted` ({name: bool}), particles always.
+
+    :raises ValueError: one of them cannot be gone on with, and none has been changed
+    """
+    chosen = [Series(folder, name) for name in SERIES if wanted.get(name, True)]
+    for series in chosen:
+        series.entries()
+    return chosen
 
 
 def remove(folder):

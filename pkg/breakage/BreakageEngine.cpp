@@ -76,11 +76,12 @@ void BreakageEngine::action()
 	const auto firstToWait = std::partition_point(events.begin(), events.end(), [](const Event& event) { return event.forced; });
 	const auto byExcess = [](const Event& a, const Event& b) { return a.value / a.parent.state->strength > b.value / b.parent.state->strength; };
 	std::stable_sort(firstToWait, events.end(), byExcess);
-	const std::ptrdiff_t asked = events.end() - firstToWait;
-	waiting = int(std::max<std::ptrdiff_t>(0, asked - maxEvents));
-	events.erase(events.end() - waiting, events.end());
+	const std::ptrdiff_t asked = events.end() - firstToWait, left = std::max<std::ptrdiff_t>(0, asked - maxEvents);
+	events.erase(events.end() - left, events.end());
+	if (!events.empty()) checkLaws();
 	const std::vector<fragments::Pieces> pieces = cutAll(events);
 	if (!events.empty()) noteBirths(scene->bodies->size());
+	waiting = int(left);
 	forced.clear();
 	for (std::size_t i = 0; i < events.size(); ++i)
 		breakUp(events[i], pieces[i]);
@@ -223,20 +224,29 @@ void BreakageEngine::breakUp(const Event& event, const fragments::Pieces& pieces
 	scene->energy->add(stored + spinLoss, "breakage", entry, /*reset*/ false);
 }
 
-// A law that knows nothing of it would let fragments fly apart: there must be none of them.
+// The functors of the contact law.
+std::vector<LawFunctor*> BreakageEngine::laws() const
+{
+	std::vector<LawFunctor*> all;
+	for (const auto& engine : scene->engines)
+		if (const auto* loop = dynamic_cast<const InteractionLoop*>(engine.get()))
+			for (const auto& functor : loop->lawDispatcher->functors)
+				all.push_back(functor.get());
+	return all;
+}
+
+// A law that knows nothing of births would let fragments fly apart: there must be none of them.
+void BreakageEngine::checkLaws() const
+{
+	for (LawFunctor* law : laws())
+		if (!dynamic_cast<CurvatureLaw*>(law))
+			throw std::invalid_argument("BreakageEngine: " + law->getClassName() + " cannot hold fragments that overlap at birth; use a law on the local curvature");
+}
+
 void BreakageEngine::noteBirths(Body::id_t first) const
 {
-	for (const auto& engine : scene->engines) {
-		const auto* loop = dynamic_cast<const InteractionLoop*>(engine.get());
-		if (!loop) continue;
-		for (const auto& functor : loop->lawDispatcher->functors) {
-			auto* law = dynamic_cast<CurvatureLaw*>(functor.get());
-			if (!law)
-				throw std::invalid_argument("BreakageEngine: " + functor->getClassName() + " cannot hold fragments that overlap at birth; use a law "
-					"on the local curvature");
-			law->noteBirths(scene->iter, first);
-		}
-	}
+	for (LawFunctor* law : laws())
+		static_cast<CurvatureLaw*>(law)->noteBirths(scene->iter, first);
 }
 
 // A fragment has been made with its share of its parent's mass.
@@ -260,8 +270,8 @@ void BreakageEngine::checkFragments(const BreakableMat& material, const superqua
 		smallest = std::min(smallest, shape.halfSizes().cwiseProduct(piece.scale).minCoeff());
 	std::ostringstream demand;
 	if (!(smallest >= superquadric::tolerances::smallestHalfSize)) {
-		demand << "larger where cutExponent is " << cutExponent << ", which gives a fragment with the half size " << smallest << " m (at least "
-		       << superquadric::tolerances::smallestHalfSize << " m is possible)";
+		demand << "larger: there would be a fragment with the half size " << smallest << " m, of at least " << superquadric::tolerances::smallestHalfSize
+		       << " m (mode = '" << mode << "', cutExponent = " << cutExponent << ")";
 		refuse("smallestFragment", demand.str().c_str(), smallestFragment);
 	}
 	smallest = std::max(smallest, inertialSize / 2);

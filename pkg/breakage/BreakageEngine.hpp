@@ -12,6 +12,8 @@
 
 namespace yade {
 
+class LawFunctor;
+
 class BreakageEngine : public PeriodicEngine {
 public:
 	void action() override;
@@ -49,6 +51,8 @@ private:
 	std::vector<superquadric::fragments::Pieces> cutAll(const std::vector<Event>& events);
 	superquadric::fragments::Pieces cut(const BreakableParticle& parent, int& even) const;
 	void breakUp(const Event& event, const superquadric::fragments::Pieces& pieces);
+	std::vector<LawFunctor*> laws() const;
+	void checkLaws() const;
 	void noteBirths(Body::id_t first) const;
 	void addInertia(Body& fragment, Real parentFactor) const;
 	void checkFragments(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
@@ -83,7 +87,7 @@ private:
 		((Real, smallestFragment, 0, Attr::triggerPostLoad, "Size below which no fragment is made, of a superquadric none of its three widths, not "
 			"negative [m]: a cut that would make one is drawn anew; a particle that cannot be cut without does not break. 0: as published; but a "
 			"fragment whose critical time step is below O.dt raises ValueError at the call in which it would be made, unless a :yref:`TimeStepper` "
-			"is active or inertialSize helps."))
+			"is active or inertialSize helps, and so does one with a half size below 1e-30 m."))
 		((Real, inertialSize, 0, Attr::triggerPostLoad, "For quasi-static loading, from 0 to 1e30 [m]: fragments of a width w below it are born with "
 			"$(inertialSize/w)^2$ times their mass and inertia, with which their critical time step is that of a width of inertialSize. "
 			"Shape, volume, stiffness and velocity are their own; that factor is in :yref:`BreakableState.inertiaFactor`. Momentum and energy of "

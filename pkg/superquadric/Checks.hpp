@@ -18,7 +18,7 @@ template <class Value> [[noreturn]] void refuse(const char* name, const char* de
 	throw std::invalid_argument(message.str());
 }
 
-// A text from Python may have been bytes: what Python could not read in a message is written out.
+// A text from Python may have been bytes, which Python could not read in a message: what is not ASCII is written out.
 [[noreturn]] inline void refuse(const char* name, const char* demand, const std::string& value)
 {
 	std::ostringstream message;

@@ -41,7 +41,7 @@ class Sheet:
         assert all(math.isfinite(x) for x in (*camera['centre'], *camera['direction'], *camera['up'], camera['height'])) and camera['height'] > 0
         for piece in pieces:
             assert numpy.isfinite(piece['points']).all() and piece.get('triangles', piece.get('lines')).max() < len(piece['points'])
-        assert max(size) <= getattr(render, "HIGHEST", 8192)
+        assert max(size) <= render.HIGHEST
         drawn.append(size)
         return numpy.full((size[1], size[0], 3), 255, 'u1')
 
@@ -132,7 +132,6 @@ PLACES = st.one_of(NEAR, st.sampled_from((NAN, INF, -INF, 1e300, 1e160, -1e30, 1
       speed=st.tuples(PLACES, PLACES, PLACES), changes=st.lists(look, max_size=1))
 def test_scenesThatFlewApart(folder, places, speed, changes):
     """Bodies at no place, or beyond all measure: YADE keeps them. They are drawn as far as can be, or refused."""
-    O.reset()
     here = frame()
     rows = here.particles.copy()
     for row, place in zip(rows, places):
@@ -181,5 +180,6 @@ def test_aims(center, radius, azimuth, elevation, orthographic):
 def test_viewsWithoutADisplay(size, camera):
     """Refused before a window is asked for, which there is none for here."""
     if 'DISPLAY' not in os.environ:
-        assert refused(lambda: view.openView(size), 'size', also=ImportError)[1]
+        error, no = refused(lambda: view.openView(size), 'size', also=ImportError)
+        assert no and (not isinstance(error, ImportError) or all(number >= 1 for number in size))
     assert refused(lambda: view.aim(camera, (0, 0, 0), 1), 'view')[1]

@@ -118,8 +118,8 @@ def test_breakableMaterialThatDoesNotYieldKeepsTheElasticLaw():
 
 @pytest.mark.parametrize('settings, steps, name', [({}, 10, 'O.dt'), ({'cutExponent': 300}, 1e-6, 'smallestFragment')])
 def test_aRefusedFragmentBreaksNothing(settings, steps, name):
-    """Of two that are to break at one call, where the second cannot, neither does, and both are still asked for. `steps`: O.dt over the critical
-    step of the small one."""
+    """Of two that are to break at one call, where the second (too small for O.dt), or both, cannot, neither does, and both are still asked for.
+    `steps`: O.dt over the critical step of the small one."""
     O.reset()
     balls = scatter([sq.particleShape('sphere', radius) for radius in (RADIUS, RADIUS / 1e4)], material(), seed=1)
     breaker = BreakageEngine(forced=balls, **settings)

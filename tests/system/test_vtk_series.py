@@ -111,6 +111,18 @@ def test_damagedSeriesIsRefused(tmp_path):
         RecordedSeries(str(tmp_path / 'nowhere'))
 
 
+def test_seriesThatCannotBeGoneOnWithIsRefusedFirst(tmp_path):
+    """When the recorder is made; and when it was damaged later, before any other series has changed."""
+    scene(1, folder=str(tmp_path), iterPeriod=1)
+    (tmp_path / 'surfaces.pvd').write_text('<VTKFile')
+    before = Series(str(tmp_path), 'particles').entries()
+    for attempt in (lambda: sq.vtkRecorder(str(tmp_path), iterPeriod=1), lambda: vtkrecorder.record(str(tmp_path))):
+        with pytest.raises(ValueError, match='surfaces.pvd: is damaged'):
+            attempt()
+    assert Series(str(tmp_path), 'particles').entries() == before and (tmp_path / before[0].file).exists()
+    sq.vtkRecorder(str(tmp_path), iterPeriod=1, surfaces=False)
+
+
 def test_folderThatIsAFileIsRefused(tmp_path):
     (tmp_path / 'file').write_text('mine')
     O.reset()
