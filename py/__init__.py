@@ -7,32 +7,51 @@
 
 SI units everywhere; z points up.
 """
-from . import regions
-from .bedgeometry import measureBed
-from .bodies import ParticleShape, equalVolumeExtents, particleShape, superquadric
-from .container import Container, boxContainer, cylinderContainer, setHeight
-from .engines import checkTimeStep, criticalTimeStep, solverCounters, superquadricEngines
-from .filling import particleNumber, rainFilling, randomOrientation
-from .frame import Frame
-from .impact import Pulse, Recorder, addImpactor, bareImpact, pulse, recordImpact
-from .materials import elastoplasticMat
-from .meshes import Surface, particlesToStl, readSurface, stlContainer, writeStl
-from .packing import Measured, packingFraction, solidVolume
-from .render import animation, picture
-from .restitution import normalDampingFor
-from .run import ImpactRun
-from .settling import RestCriterion, scaleStiffness, settle, stiffen
-from .snapshot import Snapshot
-from .stepping import Interrupted, Stepper
-from .tessellation import Tessellation, tessellation
-from .version import __version__
-from .vtkframes import RecordedSeries
-from .vtkrecorder import vtkRecorder
+import importlib
 
-__all__ = [
-    'Container', 'Frame', 'ImpactRun', 'Interrupted', 'Measured', 'ParticleShape', 'Pulse', 'RecordedSeries', 'Recorder', 'RestCriterion',
-    'Snapshot', 'Stepper', 'Surface', 'Tessellation', 'addImpactor', 'animation', 'bareImpact', 'boxContainer', 'checkTimeStep',
-    'criticalTimeStep', 'cylinderContainer', 'elastoplasticMat', 'equalVolumeExtents', 'measureBed', 'normalDampingFor', 'packingFraction',
-    'particleNumber', 'particleShape', 'particlesToStl', 'picture', 'pulse', 'rainFilling', 'randomOrientation', 'readSurface',
-    'recordImpact', 'regions', 'scaleStiffness', 'setHeight', 'settle', 'solidVolume', 'solverCounters', 'stiffen', 'stlContainer',
-    'superquadric', 'superquadricEngines', 'tessellation', 'vtkRecorder', 'writeStl', '__version__']
+from .version import __version__
+
+# Where each name is defined. It is imported when it is first asked for, so that what needs no YADE (statistics, files, studies) can be
+# imported where there is none.
+_HANDED_ON = {
+    'experiments.impact.impactor': ('Pulse', 'Recorder', 'addImpactor', 'bareImpact', 'pulse', 'recordImpact'),
+    'experiments.impact.run': ('ImpactRun',),
+    'materials.library': ('elastoplasticMat',),
+    'measure.bed': ('measureBed',),
+    'measure.frame': ('Frame',),
+    'measure.snapshot': ('Snapshot',),
+    'mesh.packing': ('Measured', 'packingFraction', 'solidVolume'),
+    'mesh.stl': ('Surface', 'particlesToStl', 'readSurface', 'stlContainer', 'writeStl'),
+    'mesh.tessellation': ('Tessellation', 'tessellation'),
+    'pictures.render': ('animation', 'picture'),
+    'scene.bodies': ('ParticleShape', 'equalVolumeExtents', 'particleShape', 'superquadric'),
+    'scene.container': ('Container', 'boxContainer', 'cylinderContainer', 'setHeight'),
+    'scene.engines': ('checkTimeStep', 'criticalTimeStep', 'solverCounters', 'superquadricEngines'),
+    'scene.filling': ('particleNumber', 'rainFilling', 'randomOrientation'),
+    'scene.restitution': ('normalDampingFor',),
+    'scene.settling': ('RestCriterion', 'scaleStiffness', 'settle', 'stiffen'),
+    'scene.stepping': ('Interrupted', 'Stepper'),
+    'vtk.recorded': ('RecordedSeries',),
+    'vtk.recorder': ('vtkRecorder',),
+}
+_MODULES = {  # handed on whole
+    'film': 'pictures.film', 'parallel': 'scene.parallel', 'plots': 'experiments.impact.forceplot', 'regions': 'mesh.regions',
+    'render': 'pictures.render', 'view': 'pictures.view'}
+_PLACES = {name: module for module, names in _HANDED_ON.items() for name in names}
+
+__all__ = [*sorted(_PLACES), *sorted(_MODULES), '__version__']
+
+
+def __getattr__(name):
+    if name in _MODULES:
+        value = importlib.import_module(f'.{_MODULES[name]}', __name__)
+    elif name in _PLACES:
+        value = getattr(importlib.import_module(f'.{_PLACES[name]}', __name__), name)
+    else:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    globals()[name] = value
+    return value
+
+
+def __dir__():
+    return sorted({*globals(), *__all__})

@@ -8,7 +8,7 @@ import csv
 import os
 import sys
 
-from yade.superquadric import cylinderimpact as ci
+from yade.superquadric.validations import cylinderimpact
 
 import matplotlib
 matplotlib.use('Agg')
@@ -17,17 +17,17 @@ import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen befor
 ANGLES = range(0, 91, 5)
 EXPONENTS = (8.0, 12.0, 20.0)
 COLUMNS = ('n1', 'angle [deg]', 'Vz+/V', 'closed form', 'r wy+/V', 'closed form', 'ideal cylinder Vz+/V', 'ideal cylinder r wy+/V')
-SCALE = ci.DIAMETER / 2 / ci.SPEED  # of the spin, as in the paper's figure 7
+SCALE = cylinderimpact.DIAMETER / 2 / cylinderimpact.SPEED  # of the spin, as in the paper's figure 7
 
 
 def rows():
     """One row an angle and exponent, in the order of COLUMNS."""
     for n1 in EXPONENTS:
         for angle in ANGLES:
-            measured, expected = ci.impact(angle, n1)
-            ideal = ci.closedForm(ci.idealLever(angle), ci.MASS, ci.INERTIA)
-            yield (n1, angle, measured.velocity / ci.SPEED, expected.velocity / ci.SPEED, SCALE * measured.spin, SCALE * expected.spin,
-                   ideal.velocity / ci.SPEED, SCALE * ideal.spin)
+            measured, expected = cylinderimpact.impact(angle, n1)
+            ideal = cylinderimpact.closedForm(cylinderimpact.idealLever(angle), cylinderimpact.MASS, cylinderimpact.INERTIA)
+            yield (n1, angle, measured.velocity / cylinderimpact.SPEED, expected.velocity / cylinderimpact.SPEED, SCALE * measured.spin, SCALE * expected.spin,
+                   ideal.velocity / cylinderimpact.SPEED, SCALE * ideal.spin)
 
 
 def draw(table, path):

@@ -8,12 +8,13 @@ script's own after it. SI units. What is measured, and how, is told in docs/damp
 import os
 import sys
 
-from yade.superquadric import Interrupted, commandline
-from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
-from yade.superquadric.damper import DamperRun
-from yade.superquadric.damperparameters import PARAMETERS
-from yade.superquadric.damperreport import FILES, text
-from yade.superquadric.parameterlist import addOptions
+from yade.superquadric import Interrupted
+from yade.superquadric.runs import commandline
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
+from yade.superquadric.experiments.damper.run import DamperRun
+from yade.superquadric.experiments.damper.parameters import PARAMETERS
+from yade.superquadric.experiments.damper.report import FILES, text
+from yade.superquadric.runs.parameters import addOptions
 
 
 def parser():

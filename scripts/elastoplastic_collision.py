@@ -10,7 +10,7 @@ import csv
 import os
 import sys
 
-from yade.superquadric import elastoplasticimpact as ei
+from yade.superquadric.validations import elastoplasticimpact
 from yade.wrapper import ElastoplasticMat
 
 import matplotlib
@@ -26,24 +26,24 @@ FITTED_FROM = 300  # the same
 
 def pathTable():
     """(path, overlap over dy, force over fy)"""
-    point = ei.yieldPoint(ElastoplasticMat(**ei.ALUMINIUM), RADIUS)
-    paths = ei.pressedPath(ei.ALUMINIUM, RADIUS, [part * point.overlap for part in TURNING_POINTS])
+    point = elastoplasticimpact.yieldPoint(ElastoplasticMat(**elastoplasticimpact.ALUMINIUM), RADIUS)
+    paths = elastoplasticimpact.pressedPath(elastoplasticimpact.ALUMINIUM, RADIUS, [part * point.overlap for part in TURNING_POINTS])
     return [(number, overlap / point.overlap, force / point.force) for number, path in enumerate(paths, 1) for overlap, force in path]
 
 
 def restitutionTable():
     """(H, speed over that at yield, restitution)"""
     for exponent in HARDENINGS:
-        properties = dict(ei.ALUMINIUM, exponent=exponent)
-        yieldSpeed = ei.yieldPoint(ElastoplasticMat(**properties), RADIUS).speed
+        properties = dict(elastoplasticimpact.ALUMINIUM, exponent=exponent)
+        yieldSpeed = elastoplasticimpact.yieldPoint(ElastoplasticMat(**properties), RADIUS).speed
         for part in SPEEDS:
-            yield exponent, part, ei.restitution(properties, RADIUS, part * yieldSpeed)
+            yield exponent, part, elastoplasticimpact.restitution(properties, RADIUS, part * yieldSpeed)
 
 
 def fits(table):
     """{H: PowerLaw} of the restitutions far above yield."""
     far = {exponent: [row[1:] for row in table if row[0] == exponent and row[1] >= FITTED_FROM] for exponent in HARDENINGS}
-    return {exponent: ei.powerLaw(*zip(*rows)) for exponent, rows in far.items()}
+    return {exponent: elastoplasticimpact.powerLaw(*zip(*rows)) for exponent, rows in far.items()}
 
 
 def drawPath(axis, table):
@@ -59,7 +59,7 @@ def drawPath(axis, table):
     axis.plot([], [], 'C0--', label='unloading and reloading')
     axis.plot([1], [1], 'k.', label='yield')
     axis.set(xlabel='overlap $d/d_y$', ylabel='force $f/f_y$', xlim=(0, None), ylim=(0, None))
-    axis.set_title(f'Four paths, $H$ = {ei.ALUMINIUM["exponent"]:g}')
+    axis.set_title(f'Four paths, $H$ = {elastoplasticimpact.ALUMINIUM["exponent"]:g}')
 
 
 def drawRestitution(axis, table, laws):
@@ -102,7 +102,7 @@ def main(folder):
     for exponent, law in laws.items():
         print(f'H = {exponent:g}: restitution falls as V^({law.exponent:.4f} +- {law.halfWidth:.4f}) '
               f'from {FITTED_FROM} to {max(SPEEDS):g} times the yield speed; '
-              f'limit {ei.limitExponent(exponent):.4f}')
+              f'limit {elastoplasticimpact.limitExponent(exponent):.4f}')
 
 
 main(sys.argv[1] if len(sys.argv) > 1 else 'results/elastoplastic_collision')

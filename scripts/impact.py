@@ -10,10 +10,14 @@ import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun, commandline, impactpictures, renderer, report, vtkfiles
-from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
-from yade.superquadric.parameterlist import addOptions, fromFile, given
-from yade.superquadric.parameters import PARAMETERS, defaults
+from yade.superquadric import Interrupted, ImpactRun
+from yade.superquadric.runs import commandline
+from yade.superquadric.experiments.impact import pictures as impactpictures, report
+from yade.superquadric.pictures import renderer
+from yade.superquadric.vtk import polydata
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
+from yade.superquadric.runs.parameters import addOptions, fromFile, given
+from yade.superquadric.experiments.impact.parameters import PARAMETERS, defaults
 
 
 def parser():
@@ -58,12 +62,12 @@ def main():
     options = parser().parse_args(sys.argv[1:])
     try:
         if options.vtk:
-            vtkfiles.requireVtk()
+            polydata.requireVtk()
         run, output = start(options, given(options, PARAMETERS))
         run.pictures = not options.noPictures
         run.state['vtk'] = options.vtk or run.state.get('vtk', False)
         if run.state['vtk']:  # resumed, perhaps elsewhere
-            vtkfiles.requireVtk()
+            polydata.requireVtk()
     except (ImportError, OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)
         return BAD_INPUT

@@ -9,12 +9,15 @@ measured, and how, is told in docs/oedometer.md.
 import os
 import sys
 
-from yade.superquadric import Interrupted, commandline, oedometercomparison, renderer
-from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED, parametersOf
-from yade.superquadric.oedometer import OedometerRun
-from yade.superquadric.oedometerparameters import PARAMETERS
-from yade.superquadric.oedometerreport import FILES, text
-from yade.superquadric.parameterlist import addOptions
+from yade.superquadric import Interrupted
+from yade.superquadric.runs import commandline
+from yade.superquadric.experiments.oedometer import comparison as oedometercomparison
+from yade.superquadric.pictures import renderer
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
+from yade.superquadric.experiments.oedometer.run import OedometerRun
+from yade.superquadric.experiments.oedometer.parameters import PARAMETERS
+from yade.superquadric.experiments.oedometer.report import FILES, text
+from yade.superquadric.runs.parameters import addOptions
 
 
 def parser():

@@ -14,8 +14,11 @@ import time
 
 from yade import O
 from yade import superquadric as sq
-from yade.superquadric import checks, impact, parallel, results
-from yade.superquadric.commandline import BAD_INPUT
+from yade.superquadric import checks
+from yade.superquadric.experiments.impact import impactor
+from yade.superquadric.scene import parallel
+from yade.superquadric.files import results
+from yade.superquadric.runs.commandline import BAD_INPUT
 from yade.wrapper import CurvatureMat, Superquadric, Wall
 
 FAILED = 1                   # exit code beside those of all scripts
@@ -76,7 +79,7 @@ def load(given):
     cubes = [body.id for body in O.bodies if isinstance(body.shape, Superquadric)]
     if given.speed:
         surface = max(O.bodies[cube].state.pos[2] for cube in cubes)
-        impact.addImpactor(*IMPACTOR, base.mat, given.speed, 0.0, surface, cubes)
+        impactor.addImpactor(*IMPACTOR, base.mat, given.speed, 0.0, surface, cubes)
     return base.id
 
 

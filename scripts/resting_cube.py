@@ -7,7 +7,7 @@ below 1e-10 m g d; the drift is counted from then on, or after 1,000,000 steps o
 """
 import sys
 
-from yade.superquadric.restingcube import HALF, RestingCube
+from yade.superquadric.validations.restingcube import HALF, RestingCube
 
 CASES = (
     ('wall, E = 1e8', dict(floor='wall', young=1e8)),

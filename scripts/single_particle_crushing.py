@@ -11,7 +11,10 @@ import argparse
 import os
 import sys
 
-from yade.superquadric import checks, crushingplots, cutdistribution, results, singlecrushing
+from yade.superquadric import checks
+from yade.superquadric.validations import crushingplots, cutdistribution, singlecrushing
+from yade.superquadric.files import results
+from yade.superquadric.runs.versions import versions
 
 EXPONENTS, CHOSEN = (1, 2, 3), 2  # of the cut; the one that fits tests on rock, as the paper finds
 NAME = 'single_particle_crushing'  # all its files begin with it
@@ -97,7 +100,7 @@ def main():
     results.writeCsv(os.path.join(given.output, f'{NAME}.csv'), ('classFrom', 'classTo', 'exponent', 'parent', 'fragment'),
                      rows(exponents, classes))
     results.writeJson(os.path.join(given.output, f'{NAME}.json'),
-                      {'parents': given.parents, 'seed': given.seed, **summary, 'versions': results.versions()})
+                      {'parents': given.parents, 'seed': given.seed, **summary, 'versions': versions()})
     if not given.noPictures:
         repeated = [singlecrushing.breakEach(exponents[CHOSEN][0], CHOSEN, given.seed + 100 + i) for i in range(REPETITIONS)]
         draw(given.output, exponents, repeated, classes)

@@ -13,8 +13,8 @@ import signal
 import subprocess
 import sys
 
-from yade.superquadric import results, sealed
-from yade.superquadric.commandline import BAD_INPUT, INTERRUPTED
+from yade.superquadric.files import results, sealed
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.study import plan as plans, studyfile, table
 
 SNAKEFILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'study', 'Snakefile')

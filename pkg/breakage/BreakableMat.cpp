@@ -1,6 +1,6 @@
 #include "BreakableMat.hpp"
 
-#include <pkg/superquadric/Checks.hpp>
+#include <pkg/support/Checks.hpp>
 
 namespace yade {
 

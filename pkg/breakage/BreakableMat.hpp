@@ -4,7 +4,7 @@
 #include "BreakableState.hpp"
 
 #include <pkg/contact/ElastoplasticMat.hpp>
-#include <pkg/geometry/Strength.hpp>
+#include <pkg/mechanics/WeibullStrength.hpp>
 
 #include <limits>
 

@@ -3,7 +3,7 @@
 #include "ParticleContacts.hpp"
 
 #include <pkg/common/Sphere.hpp>
-#include <pkg/geometry/ParticleStress.hpp>
+#include <pkg/mechanics/OctahedralStress.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
 namespace yade {

@@ -11,7 +11,7 @@
 #include <pkg/common/Sphere.hpp>
 #include <pkg/contact/CurvatureLaw.hpp>
 #include <pkg/geometry/Tolerances.hpp>
-#include <pkg/superquadric/Checks.hpp>
+#include <pkg/support/Checks.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 
 #include <algorithm>

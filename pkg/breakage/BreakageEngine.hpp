@@ -1,11 +1,11 @@
-// Breaks particles into smaller ones: YADE's side of pkg/geometry/Fragments.hpp, FragmentMotion.hpp and ParticleStress.hpp.
+// Breaks particles into smaller ones: YADE's side of pkg/mechanics/Fragments.hpp, FragmentMotion.hpp and ParticleStress.hpp.
 #pragma once
 
 #include "BreakableParticle.hpp"
 
 #include <core/Scene.hpp>
 #include <pkg/common/PeriodicEngines.hpp>
-#include <pkg/geometry/FragmentMotion.hpp>
+#include <pkg/mechanics/FragmentMotion.hpp>
 
 #include <optional>
 #include <vector>

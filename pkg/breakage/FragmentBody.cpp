@@ -3,7 +3,7 @@
 #include "BreakableState.hpp"
 
 #include <pkg/common/Sphere.hpp>
-#include <pkg/geometry/FragmentMotion.hpp>
+#include <pkg/mechanics/FragmentMotion.hpp>
 #include <pkg/geometry/Tolerances.hpp>
 #include <pkg/superquadric/Superquadric.hpp>
 

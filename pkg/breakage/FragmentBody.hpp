@@ -2,7 +2,7 @@
 #pragma once
 
 #include <core/Body.hpp>
-#include <pkg/geometry/Fragments.hpp>
+#include <pkg/mechanics/Fragments.hpp>
 #include <pkg/geometry/Shape.hpp>
 
 namespace yade {

@@ -1,7 +1,7 @@
 #include "CurvatureLaw.hpp"
 
 #include <core/Scene.hpp>
-#include <pkg/superquadric/Checks.hpp>
+#include <pkg/support/Checks.hpp>
 #include <pkg/superquadric/SuperquadricGeom.hpp>
 
 namespace yade {

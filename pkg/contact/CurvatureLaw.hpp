@@ -2,8 +2,8 @@
 #pragma once
 
 #include "CurvaturePhys.hpp"
-#include "Meeting.hpp"
-#include "MovingBodiesLaw.hpp"
+#include "ContactKinematics.hpp"
+#include "PairLaw.hpp"
 
 #include <core/Dispatching.hpp>
 

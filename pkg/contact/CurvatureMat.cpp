@@ -1,8 +1,8 @@
 #include "CurvatureMat.hpp"
 
 #include <lib/high-precision/Constants.hpp>
-#include <pkg/geometry/HertzMindlin.hpp>
-#include <pkg/superquadric/Checks.hpp>
+#include <pkg/mechanics/HertzMindlin.hpp>
+#include <pkg/support/Checks.hpp>
 
 namespace yade {
 

@@ -1,6 +1,6 @@
 #include "CurvaturePhys.hpp"
 
-#include <pkg/geometry/HertzMindlin.hpp>
+#include <pkg/mechanics/HertzMindlin.hpp>
 
 namespace yade {
 

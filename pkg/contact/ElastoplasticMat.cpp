@@ -1,6 +1,6 @@
 #include "ElastoplasticMat.hpp"
 
-#include <pkg/superquadric/Checks.hpp>
+#include <pkg/support/Checks.hpp>
 
 namespace yade {
 

@@ -3,7 +3,7 @@
 
 #include "CurvaturePhys.hpp"
 
-#include <pkg/geometry/ElastoplasticContact.hpp>
+#include <pkg/mechanics/ElastoplasticContact.hpp>
 
 #include <limits>
 

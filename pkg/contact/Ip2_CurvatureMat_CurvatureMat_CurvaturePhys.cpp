@@ -4,7 +4,7 @@
 #include "ElastoplasticMat.hpp"
 
 #include <core/Interaction.hpp>
-#include <pkg/geometry/HertzMindlin.hpp>
+#include <pkg/mechanics/HertzMindlin.hpp>
 
 namespace yade {
 

@@ -1,4 +1,4 @@
-// YADE's side of the contact law (6)-(13); the law itself is in pkg/geometry/HertzMindlin.hpp.
+// YADE's side of the contact law (6)-(13); the law itself is in pkg/mechanics/HertzMindlin.hpp.
 #pragma once
 
 #include "CurvatureLaw.hpp"

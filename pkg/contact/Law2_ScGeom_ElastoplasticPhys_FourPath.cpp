@@ -1,7 +1,7 @@
 #include "Law2_ScGeom_ElastoplasticPhys_FourPath.hpp"
 
 #include <core/Scene.hpp>
-#include <pkg/geometry/WithinLimit.hpp>
+#include <pkg/mechanics/CoulombLimit.hpp>
 
 namespace yade {
 

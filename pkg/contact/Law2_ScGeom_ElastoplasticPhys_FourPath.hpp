@@ -1,11 +1,11 @@
-// YADE's side of the elastoplastic contact law; the law itself is in pkg/geometry/ElastoplasticContact.hpp and IncrementalSpring.hpp.
+// YADE's side of the elastoplastic contact law; the law itself is in pkg/mechanics/ElastoplasticContact.hpp and IncrementalSpring.hpp.
 #pragma once
 
 #include "CurvatureLaw.hpp"
 #include "ElastoplasticPhys.hpp"
 #include "EnergyEntries.hpp"
 
-#include <pkg/geometry/IncrementalSpring.hpp>
+#include <pkg/mechanics/IncrementalSpring.hpp>
 
 namespace yade {
 

@@ -3,7 +3,7 @@
 
 #include <core/Scene.hpp>
 #include <pkg/common/Facet.hpp>
-#include <pkg/geometry/FacetMesh.hpp>
+#include <pkg/detection/FacetMesh.hpp>
 
 #include <atomic>
 #include <mutex>

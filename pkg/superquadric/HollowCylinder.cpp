@@ -1,6 +1,6 @@
 #include "HollowCylinder.hpp"
 
-#include "Checks.hpp"
+#include <pkg/support/Checks.hpp>
 
 namespace yade {
 

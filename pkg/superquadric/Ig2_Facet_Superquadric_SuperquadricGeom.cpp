@@ -1,7 +1,7 @@
 #include "Ig2_Facet_Superquadric_SuperquadricGeom.hpp"
 
 #include <core/Omega.hpp>
-#include <pkg/geometry/WallContact.hpp>
+#include <pkg/detection/WallContact.hpp>
 
 namespace yade {
 

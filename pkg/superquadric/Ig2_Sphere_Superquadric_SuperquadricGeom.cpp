@@ -1,6 +1,6 @@
 #include "Ig2_Sphere_Superquadric_SuperquadricGeom.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 namespace yade {
 

@@ -1,7 +1,7 @@
 #include "Ig2_Superquadric_Superquadric_SuperquadricGeom.hpp"
 
 #include <pkg/geometry/Bounds.hpp>
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 namespace yade {
 

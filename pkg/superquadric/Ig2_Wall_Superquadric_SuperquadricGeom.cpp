@@ -1,6 +1,6 @@
 #include "Ig2_Wall_Superquadric_SuperquadricGeom.hpp"
 
-#include <pkg/geometry/WallContact.hpp>
+#include <pkg/detection/WallContact.hpp>
 
 namespace yade {
 

@@ -1,7 +1,7 @@
 #include "Superquadric.hpp"
 
-#include "Buffers.hpp"
-#include "Checks.hpp"
+#include <pkg/support/Buffers.hpp>
+#include <pkg/support/Checks.hpp>
 
 #include <pkg/geometry/Bounds.hpp>
 #include <pkg/geometry/Curvature.hpp>

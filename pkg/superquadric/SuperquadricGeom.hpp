@@ -1,9 +1,9 @@
 // The geometry of a contact with a superquadric, and the pair's memory while it does not touch.
 #pragma once
 
-#include <pkg/contact/MovingBody.hpp>
+#include <pkg/support/MovingBody.hpp>
 #include <pkg/dem/ScGeom.hpp>
-#include <pkg/geometry/Contact.hpp>
+#include <pkg/detection/Contact.hpp>
 
 namespace yade {
 

@@ -1,7 +1,7 @@
 // A functor's solver counters, one set per thread on a cache line of its own, so that counting costs next to nothing.
 #pragma once
 
-#include <pkg/geometry/Contact.hpp>
+#include <pkg/detection/Contact.hpp>
 
 #include <boost/python/dict.hpp>
 

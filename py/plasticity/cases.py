@@ -3,7 +3,7 @@ from collections import namedtuple
 
 import numpy
 
-from . import hertz, mesh as meshes
+from . import hertz, mesh
 from .body import Body
 from .contact import Contact, NotConverged
 from .curves import Curve
@@ -55,9 +55,9 @@ class Case:
 
     def _contact(self, radii, law, young, poisson, fineness):
         different = sorted(set(radii))
-        reach = {radius: meshes.PLATE_REACH * different[0] if numpy.isinf(radius) else meshes.REACH * radius for radius in different}
-        grading = meshes.grading(FIRST_LOAD * self.yieldPoint.contactRadius, self.largest, fineness)
-        surfaces = meshes.surfaceRadii(grading, reach.values())
+        reach = {radius: mesh.PLATE_REACH * different[0] if numpy.isinf(radius) else mesh.REACH * radius for radius in different}
+        grading = mesh.grading(FIRST_LOAD * self.yieldPoint.contactRadius, self.largest, fineness)
+        surfaces = mesh.surfaceRadii(grading, reach.values())
         bodies = [Body(radius, surfaces[reach[radius]], grading.sectors, law) for radius in different]
         return Contact(bodies, LARGEST_GROWTH * self.largest, young, poisson)
 

@@ -10,7 +10,7 @@ import numpy
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
-from . import hertz, mesh as meshes
+from . import hertz, mesh
 
 TOLERANCE = 1e-6            # of the residual's largest component over the largest contact force before
 ITERATIONS = 25             # of Newton's method, before the step is halved
@@ -77,7 +77,7 @@ class Contact:
         self.modulus = hertz.effectiveModulus(young, poisson)
         self.interface = Interface(bodies, reach)
         self.stiffness = STIFFNESS * self.modulus / reach
-        self.gap = self.copies * sum(meshes.depth(body.radius, self.interface.r) for body in bodies)
+        self.gap = self.copies * sum(mesh.depth(body.radius, self.interface.r) for body in bodies)
         self.approach, self.displacements = 0.0, [numpy.zeros(body.size) for body in bodies]
         self.largest, self.failures = 0.0, 0
         self._last = self.approach, self.displacements   # the equilibrium before

@@ -6,7 +6,7 @@ import numpy
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from PIL import Image
 
-from ..study.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours
+from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours
 from . import fit as fits, hertz, unloading
 from .curves import forceAt
 

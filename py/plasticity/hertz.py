@@ -6,7 +6,7 @@ from collections import namedtuple
 
 import numpy
 
-PRESSURE_AT_YIELD = 1.6   # p_y/sigma_y: Mises, Poisson's ratio 0.3; the same number as in pkg/geometry/ElastoplasticContact.cpp
+PRESSURE_AT_YIELD = 1.6   # p_y/sigma_y: Mises, Poisson's ratio 0.3; the same number as in pkg/mechanics/ElastoplasticContact.cpp
 
 YieldPoint = namedtuple('YieldPoint', 'pressure force overlap contactRadius')   # p_y [Pa], fy [N], dy [m], ay [m]
 

@@ -6,9 +6,10 @@ import getfem
 import numpy
 import scipy
 
-from .. import results
+from ..files import results
 from ..version import __version__
-from . import cases, figures, fit, hertz, materialfile, page, unloading
+from . import cases, figures, fit, hertz, page, unloading
+from ..materials import file as materialfile
 
 CURVE_COLUMNS = ('effectiveRadius', 'overlap', 'force', 'halfWidth')   # [m], [m], [N], [m]
 RANGES = (1 / 3, 1 / 2, 2 / 3)   # of the largest sqrt(R d)/R

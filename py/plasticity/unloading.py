@@ -2,7 +2,7 @@
 
     f = 4/3 E* sqrt(R') (d - dR)^(3/2)
 
-With the disc of radius a it is R' (dmax - dR) = a^2, so dmax - dR = 3 f/(4 E* a). The law in YADE (pkg/geometry/ElastoplasticContact.hpp) takes
+With the disc of radius a it is R' (dmax - dR) = a^2, so dmax - dR = 3 f/(4 E* a). The law in YADE (pkg/mechanics/ElastoplasticContact.hpp) takes
 a^2 = R dmax; the paper's text leaves the original R in the place of R'.
 """
 from collections import namedtuple
@@ -63,7 +63,7 @@ def compare(loading, curve):
 
 
 def lawRestitution(constants, ratio, largest):
-    """Restitution of a slow collision by the law alone, with loading and unloading as in pkg/geometry/ElastoplasticContact.cpp.
+    """Restitution of a slow collision by the law alone, with loading and unloading as in pkg/mechanics/ElastoplasticContact.cpp.
 
     :param constants: m0, m1, m2, H; :param ratio: R/R0; :param largest: dmax/dy > 1
     """

@@ -7,8 +7,8 @@ from scipy import stats
 
 from .claims import ALPHA, Part, smallest, verdict
 from .measure import Measure, pText
-from .quantities import QUANTITIES, counted, xText
-from .statistics import holm
+from ..experiments.quantities import QUANTITIES, counted, xText
+from ..statistics.samples import holm
 
 MARGIN = 0.1        # differences up to 10 % are none, unless the finding says otherwise
 

@@ -1,7 +1,7 @@
 """The kinds of experiment that studies know."""
-from .dampers import DAMPERS
-from .impacts import IMPACTS
-from .oedometers import OEDOMETERS
+from ..experiments.damper.study import DAMPERS
+from ..experiments.impact.study import IMPACTS
+from ..experiments.oedometer.study import OEDOMETERS
 
 EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS, DAMPERS, OEDOMETERS)}
 

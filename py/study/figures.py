@@ -5,9 +5,9 @@ import numpy
 
 from .. import checks
 from .measure import Measure
-from .quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
-from .statistics import typicalValue
-from .style import COLOURS, MARKERS, newFigure, outerLegend, save
+from ..experiments.quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
+from ..statistics.samples import typicalValue
+from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, save
 
 KINDS = {'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
 OF_RECORDS = ('panels', 'x', 'series')   # keys of the kinds that an experiment draws from its records

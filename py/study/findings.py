@@ -4,7 +4,7 @@ from collections import namedtuple
 
 from .. import checks
 from . import claims, comparisons
-from .quantities import allNumbers, checkQuantity
+from ..experiments.quantities import allNumbers, checkQuantity
 
 Test = namedtuple('Test', 'judge required optional fewest axis')
 Test.__doc__ = """A test of a finding.

@@ -2,7 +2,7 @@
 import numpy
 import pandas
 
-from .quantities import allNumbers, xAxisLabel
+from ..experiments.quantities import allNumbers, xAxisLabel
 
 
 class GroupData:

@@ -3,8 +3,8 @@ import math
 
 import numpy
 
-from .quantities import QUANTITIES, inUnit, signed
-from .statistics import contrast, shareBeds
+from ..experiments.quantities import QUANTITIES, inUnit, signed
+from ..statistics.samples import contrast, shareBeds
 
 
 class Measure:

@@ -3,7 +3,7 @@ import hashlib
 import json
 import os
 
-from ..results import writeJson
+from ..files.results import writeJson
 from .experiments import EXPERIMENTS
 from .studyfile import checkedSeeds
 

@@ -4,7 +4,8 @@ What a file may hold is told in docs/study.md. Messages name the place in the fi
 """
 import re
 
-from .. import checks, yamlfile
+from .. import checks
+from ..files import yamlfile
 from .experiments import EXPERIMENTS
 from .figures import checkFigure
 from .findings import checkFinding

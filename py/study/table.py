@@ -3,7 +3,7 @@ import os
 
 import pandas
 
-from .. import results
+from ..files import results
 from .experiments import experimentOf
 
 SUMMARY = 'summary.json'

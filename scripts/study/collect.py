@@ -2,7 +2,7 @@
 import argparse
 import sys
 
-from yade.superquadric import results
+from yade.superquadric.files import results
 from yade.superquadric.study import table
 
 

@@ -8,7 +8,7 @@ import sys
 
 import pandas
 
-from yade.superquadric import results
+from yade.superquadric.files import results
 from yade.superquadric.study.page import drawStudy
 
 

@@ -1,7 +1,7 @@
 #include "BedReplay.hpp"
 
 #include <pkg/geometry/Bounds.hpp>
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 #include <fstream>
 #include <stdexcept>

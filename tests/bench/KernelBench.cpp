@@ -7,7 +7,7 @@
 #include "BedReplay.hpp"
 #include "NearPairs.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 #include <benchmark/benchmark.h>
 

@@ -1,6 +1,6 @@
 #include "NearPairs.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 namespace superquadric::bench {
 

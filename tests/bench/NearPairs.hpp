@@ -2,9 +2,9 @@
 // places that differ by what a time step moves them.
 #pragma once
 
-#include <pkg/geometry/Contact.hpp>
+#include <pkg/detection/Contact.hpp>
 #include <pkg/geometry/Placement.hpp>
-#include <tests/unit/RandomBodies.hpp>
+#include <tests/support/RandomBodies.hpp>
 
 #include <array>
 #include <vector>

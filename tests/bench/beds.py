@@ -14,7 +14,7 @@ import numpy as np
 from yade import O
 from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
-from yade.superquadric import settling
+from yade.superquadric.scene import settling
 from yade.wrapper import (
     Bo1_Sphere_Aabb, Bo1_Wall_Aabb, CurvatureMat, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom,
     InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_MindlinPhys, Law2_ScGeom_MindlinPhys_Mindlin,

@@ -12,7 +12,7 @@ import time
 import numpy as np
 from yade import O
 from yade import superquadric as sq
-from yade.superquadric import parallel
+from yade.superquadric.scene import parallel
 
 import beds
 from bedcache import bedFile

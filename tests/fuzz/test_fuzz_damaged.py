@@ -13,8 +13,10 @@ from hypothesis import strategies as st
 from yade import O
 
 import yade.superquadric as sq
-from yade.superquadric import checkpoint, finishedbed, oedometercase, results, sealed
-from yade.superquadric.parameters import bedPart
+from yade.superquadric.runs import checkpoint, finishedbed
+from yade.superquadric.experiments.oedometer import case as oedometercase
+from yade.superquadric.files import results, sealed
+from yade.superquadric.experiments.impact.parameters import bedPart
 from yade.superquadric.study import plan as plans, studyfile, table
 
 from damage import copyWith, damage, damaged

@@ -13,7 +13,6 @@ import yade.superquadric as sq
 
 from fuzzing import assignable, direction, exponent, finite, fuzz, quaternion, ratio, refused, size
 
-sys.path.insert(0, str(Path(__file__).resolve().parent.parent / 'system'))
 from breakagescene import GLASS, NOTHING_MOVES, Motion  # noqa: E402
 
 solid = st.one_of(st.none(), st.tuples(ratio, ratio, ratio, exponent, exponent))  # None: a sphere

@@ -7,7 +7,7 @@ from yade import O
 from yade.wrapper import CurvatureMat, ElastoplasticMat
 
 import yade.superquadric as sq
-from yade.superquadric import restitution, settling
+from yade.superquadric.scene import restitution, settling
 
 from fuzzing import anything, exponent, fuzz, number, ratio, refused, size, vector
 

@@ -7,7 +7,7 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import parallel
+from yade.superquadric.scene import parallel
 
 from fuzzing import anything, fuzz, refused
 

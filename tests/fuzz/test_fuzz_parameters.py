@@ -8,16 +8,20 @@ import tempfile
 import yaml
 from hypothesis import strategies as st
 
-from yade.superquadric import damperparameters, oedometerparameters, parameters, results, yamlfile
-from yade.superquadric.materials import FOLDER
-from yade.superquadric.parameterlist import fromFile
-from yade.superquadric.plasticity import materialfile
+from yade.superquadric.experiments.damper import parameters as damperparameters
+from yade.superquadric.experiments.oedometer import parameters as oedometerparameters
+from yade.superquadric.experiments.impact import parameters
+from yade.superquadric.files import results, yamlfile
+from yade.superquadric.materials.library import FOLDER
+from yade.superquadric.runs.parameters import fromFile
+from yade.superquadric.materials import file as materialfile
 from yade.superquadric.study import plan as plans, studyfile
 
 from fuzzing import anything, fuzz, number, refused
 
+from project import PROJECT
+
 LISTS = {'impact': parameters, 'damper': damperparameters, 'oedometer': oedometerparameters}
-PROJECT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 plain = st.recursive(st.one_of(st.none(), st.booleans(), number, st.integers(), st.text(max_size=5),
                                st.sampled_from(('cube', 'sphere', 'peak', 'falls', 'trend'))),
                      lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=4), inner, max_size=3)), max_leaves=5)
@@ -91,7 +95,7 @@ def shippedContents(folder, names=None):
             yield yamlfile.read('file', os.path.join(folder, file))
 
 
-STUDIES = list(shippedContents(os.path.join(PROJECT, 'scripts', 'study'), ('example.yaml', 'quick.yaml', 'damper.yaml')))
+STUDIES = list(shippedContents(PROJECT / 'scripts' / 'study', ('example.yaml', 'quick.yaml', 'damper.yaml')))
 MATERIALS = list(shippedContents(FOLDER))
 ACTIONS = st.sampled_from(('replace', 'replace', 'remove', 'add'))
 

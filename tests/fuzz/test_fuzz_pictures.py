@@ -14,8 +14,8 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import render, view
-from yade.superquadric.renderpieces import COLOURS
+from yade.superquadric.pictures import render, view
+from yade.superquadric.pictures.renderpieces import COLOURS
 
 from fuzzing import INF, NAN, anything, fuzz, number, refused, vector
 

@@ -10,8 +10,8 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, PyRunner
 
 import yade.superquadric as sq
-from yade.superquadric import vtkrecorder
-from yade.superquadric.vtkseries import Series
+from yade.superquadric.vtk import recorder as vtkrecorder
+from yade.superquadric.vtk.series import Series
 
 from damage import copyWith, damage
 from fuzzing import anything, fuzz, refused

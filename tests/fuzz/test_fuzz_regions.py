@@ -8,7 +8,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
-from yade.superquadric.regions import BOX_TRIANGLES, Box, Cylinder, HalfSpaces, Mesh
+from yade.superquadric.mesh.regions import BOX_TRIANGLES, Box, Cylinder, HalfSpaces, Mesh
 
 from fuzzing import anything, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size, vector
 

@@ -11,7 +11,7 @@
 // that of touching. Either is widened by what rounding may have cost, `roundingSteps` units in the last place of the number.
 #pragma once
 
-#include <tests/unit/ReferenceShape.hpp>
+#include <tests/support/ReferenceShape.hpp>
 
 #include <pkg/geometry/Placement.hpp>
 

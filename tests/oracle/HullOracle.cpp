@@ -6,7 +6,7 @@
 #include "CommonScaling.hpp"
 #include "RandomPairs.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 #define CGAL_DISABLE_GMP 1
 #include <CGAL/AABB_traits_3.h>

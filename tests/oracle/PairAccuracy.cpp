@@ -11,7 +11,7 @@
 #include "RandomPairs.hpp"
 #include "ReferenceContact.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 #include <map>
 

@@ -11,7 +11,7 @@
 #include "CommonScaling.hpp"
 #include "RandomPairs.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include "CommonScaling.hpp"
 #include "RandomPairs.hpp"
 
-#include <pkg/geometry/PairContact.hpp>
+#include <pkg/detection/PairContact.hpp>
 #include <pkg/geometry/Tolerances.hpp>
 
 #include <cstdlib>

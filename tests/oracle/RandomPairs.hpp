@@ -2,7 +2,7 @@
 // Each pair depends on the seed and its number only, so that any part of a long run can be repeated alone.
 #pragma once
 
-#include <tests/unit/RandomBodies.hpp>
+#include <tests/support/RandomBodies.hpp>
 
 #include <array>
 

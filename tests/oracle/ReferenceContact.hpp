@@ -8,7 +8,7 @@
 // above, and q makes G strongly convex, so that the distance from the minimiser is at most 2 |grad G| / c (`error`, in half sizes).
 #pragma once
 
-#include <tests/unit/ReferenceShape.hpp>
+#include <tests/support/ReferenceShape.hpp>
 
 #include <pkg/geometry/Placement.hpp>
 

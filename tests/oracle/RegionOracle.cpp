@@ -4,8 +4,8 @@
 #include <pkg/geometry/Tessellation.hpp>
 #include <pkg/mesh/SolidVolume.hpp>
 
-#include "../unit/Meshes.hpp"
-#include "../unit/RandomBodies.hpp"
+#include <tests/support/Meshes.hpp>
+#include <tests/support/RandomBodies.hpp>
 
 #define CGAL_DISABLE_GMP 1
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -9,9 +9,9 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric import regions
-from yade.superquadric.bedgeometry import particleVolumes
-from yade.superquadric.snapshot import gauge
+from yade.superquadric.mesh import regions
+from yade.superquadric.measure.bed import particleVolumes
+from yade.superquadric.measure.snapshot import gauge
 
 RADIUS, HEIGHT, SIZE = 0.05, 0.06, 5e-3
 

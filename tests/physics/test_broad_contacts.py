@@ -145,7 +145,7 @@ def test_parallel_edges_that_come_to_cross(n):
     """One cube is shifted by s = 0.2 half sizes along the edges. While these are parallel the contact is in the middle of both cubes, s/2 from each
     centre; when they cross at an angle w, it goes to the crossing, below the centre of the cube that turns.
 
-    For cylinders of radius R, which lose d by (w y)^2/(4 R) a way y from the crossing, the objective of pkg/geometry/PairProblem.hpp is
+    For cylinders of radius R, which lose d by (w y)^2/(4 R) a way y from the crossing, the objective of pkg/detection/PairProblem.hpp is
     smallest at y = (s/2)/(1 + w^2/(8 R d/a^2)): its steepest change is 3 sqrt(3)/8 (s/2)/sqrt(8 R d/a^2).
     """
     shift, angle = 0.2 * HALF, 2e-2

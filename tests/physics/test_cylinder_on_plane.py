@@ -1,14 +1,14 @@
 """Validation 1 of Wang & Ji (2018): a cylinder on a plane against (15) and (16)."""
 import pytest
 
-from yade.superquadric import cylinderimpact as ci
+from yade.superquadric.validations import cylinderimpact
 
-RADIUS = ci.DIAMETER / 2
+RADIUS = cylinderimpact.DIAMETER / 2
 
 
 def errors(angle, n1):
-    measured, expected = ci.impact(angle, n1)
-    return abs(measured.velocity - expected.velocity) / ci.SPEED, abs(measured.spin - expected.spin) * RADIUS / ci.SPEED
+    measured, expected = cylinderimpact.impact(angle, n1)
+    return abs(measured.velocity - expected.velocity) / cylinderimpact.SPEED, abs(measured.spin - expected.spin) * RADIUS / cylinderimpact.SPEED
 
 
 @pytest.mark.parametrize('n1', [8.0, 12.0, 20.0])
@@ -21,15 +21,15 @@ def testReboundMatchesRigidBodyWithRealLeverArm(angle, n1):
 
 @pytest.mark.parametrize('angle', [0, 90])
 def testFlatImpactRestitutesLikeASphere(angle):
-    measured, _ = ci.impact(angle)
+    measured, _ = cylinderimpact.impact(angle)
     assert measured.velocity == pytest.approx(0.85, abs=0.02 * 0.85)  # the paper, section 3.1
-    assert abs(measured.spin) * RADIUS <= 0.02 * ci.SPEED
+    assert abs(measured.spin) * RADIUS <= 0.02 * cylinderimpact.SPEED
 
 
 def testConvergesToIdealCylinder():
     """The edge of an n1 = 8 cylinder is rounded; with n1 the lever arm, and with it the rebound, nears the sharp one's."""
     def distance(n1):
-        return sum(abs(ci.impact(angle, n1)[0].velocity - ci.closedForm(ci.idealLever(angle), ci.MASS, ci.INERTIA).velocity) for angle in range(5, 90, 10))
+        return sum(abs(cylinderimpact.impact(angle, n1)[0].velocity - cylinderimpact.closedForm(cylinderimpact.idealLever(angle), cylinderimpact.MASS, cylinderimpact.INERTIA).velocity) for angle in range(5, 90, 10))
 
     at8, at12, at20 = distance(8.0), distance(12.0), distance(20.0)
     assert at20 < at12 < at8
@@ -38,8 +38,8 @@ def testConvergesToIdealCylinder():
 
 def testClosedFormIsThePapers():
     """(16) in its printed form, with the ideal cylinder's numbers at 45 degrees."""
-    lever = ci.idealLever(45)
-    rebound = ci.closedForm(lever, ci.MASS, ci.INERTIA)
-    spin = ci.MASS * ci.SPEED * 1.85 * lever / (ci.INERTIA + ci.MASS * lever ** 2)
+    lever = cylinderimpact.idealLever(45)
+    rebound = cylinderimpact.closedForm(lever, cylinderimpact.MASS, cylinderimpact.INERTIA)
+    spin = cylinderimpact.MASS * cylinderimpact.SPEED * 1.85 * lever / (cylinderimpact.INERTIA + cylinderimpact.MASS * lever ** 2)
     assert rebound.spin == pytest.approx(spin, rel=1e-12)
-    assert rebound.velocity == pytest.approx(-(spin * lever - 0.85 * ci.SPEED), rel=1e-12)
+    assert rebound.velocity == pytest.approx(-(spin * lever - 0.85 * cylinderimpact.SPEED), rel=1e-12)

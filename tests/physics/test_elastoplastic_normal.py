@@ -10,7 +10,7 @@ import pytest
 from yade import O
 
 import yade.superquadric as sq
-from yade.superquadric.elastoplasticimpact import limitExponent, powerLaw, pressedPath, restitution, yieldPoint
+from yade.superquadric.validations.elastoplasticimpact import limitExponent, powerLaw, pressedPath, restitution, yieldPoint
 
 from elastoplasticcollision import (
     ALUMINIUM, KINDS, PARTNERS, RADIUS, Collision, Prescribed, booked, effectiveModulus, elasticDuration, yieldOverlap, yieldSpeed)

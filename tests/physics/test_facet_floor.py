@@ -5,7 +5,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat, Ig2_Facet_Superquadric_SuperquadricGeom, InteractionLoop
 
 import yade.superquadric as sq
-from yade.superquadric.engines import engine
+from yade.superquadric.scene.engines import engine
 
 HALF, DEPTH, SIDE = 5e-3, 1e-5, 32e-3  # half size of the cube, its overlap, edge of the floor [m]
 

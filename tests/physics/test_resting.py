@@ -7,7 +7,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.restingcube import HALF, REST, STUDY, RestingCube
+from yade.superquadric.validations.restingcube import HALF, REST, STUDY, RestingCube
 
 STEPS = 100000
 

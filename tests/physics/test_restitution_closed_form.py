@@ -1,4 +1,4 @@
-"""The closed form of the restitution (py/restitution.py): against the paper's values, and against balls on a wall in YADE.
+"""The closed form of the restitution (py/scene/restitution.py): against the paper's values, and against balls on a wall in YADE.
 
 Wang & Ji, Acta Phys. Sin. 67, 094501 (2018): 0.85 for Cn = 0.05; 0.820 for 0.06 and 0.725 for 0.1 by integration (test_restitution.py).
 """
@@ -10,7 +10,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.restitution import collisionDuration, normalDampingFor, restitutionOf
+from yade.superquadric.scene.restitution import collisionDuration, normalDampingFor, restitutionOf
 
 RADIUS = 1e-3
 MATERIAL = dict(young=70e9, poisson=0.33, density=2700, frictionAngle=0)

@@ -11,9 +11,8 @@ import docblocks
 import pytest
 from yade import O
 
-from timelimit import LIMIT
+from project import LIMIT, PROJECT
 
-PROJECT = Path(__file__).resolve().parents[2]
 PAGES = [PROJECT / 'README.md', *sorted((PROJECT / 'docs').glob('*.md'))]
 CONSOLE = dict(vars(__main__))  # the names that YADE's console offers: pytest runs in one
 # A line that begins with a command, and those that go on with it after a backslash.

@@ -10,9 +10,8 @@ from pathlib import Path
 import docblocks
 import pytest
 
-from timelimit import LIMIT
+from project import LIMIT, PROJECT
 
-PROJECT = Path(__file__).resolve().parents[2]
 BUILD = Path(os.environ['SUPERQUADRIC_BUILD'])
 PAGE = PROJECT / 'docs' / 'extending.md'
 NAMED = {'cpp': re.compile(r'`(pkg/[\w/]+\.[ch]pp)`'), 'python': re.compile(r'`(tests/[\w/]+\.py)`')}  # files that a block of this kind may be

@@ -1,0 +1,1 @@
+"""What every experiment has; each one has a folder of its own here."""

@@ -1,0 +1,1 @@
+"""Particles in a box that is shaken."""

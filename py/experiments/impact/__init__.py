@@ -1,0 +1,1 @@
+"""An impactor falls on a bed of particles."""

@@ -1,0 +1,213 @@
+"""The impact: a sphere falls on the bed, the force on the base is recorded, and its pulse is measured."""
+import math
+from collections import namedtuple
+
+from yade import O, utils
+from yade.minieigenHP import Vector3
+
+from ... import checks
+from ...scene.container import Container
+from ...scene.engines import criticalTimeStep, superquadricEngines
+from ...scene.stepping import Stepper
+
+CALIBRATED_DENSITY = 3003.0  # kg/m3: with it an impact on the bare base at 5.558 m/s peaks at the paper's P0 = 4.67 kN
+CLEARANCE = 5e-4             # m between impactor and the highest particle at the start
+BLOW_THRESHOLD = 0.01        # of the static force: less is no blow, a bed at rest is as uncertain (settling.TRUE_SUPPORT)
+PULSE_THRESHOLD = 0.1        # of the peak: the pulse lasts as long as the force is above
+QUIET_THRESHOLD = 0.05       # of the peak: the impact is over when the force has stayed below
+QUIET_TIME = 4e-3            # s for which it must have stayed below
+CHECK_STEPS = 100            # time steps between two looks whether it is over
+
+Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse lastTime')
+Pulse.__doc__ = """A pulse of the force on the base, what it bore before taken off.
+
+peak [N] at peakTime [s]; start, end [s]: the time around the peak in which the force is above PULSE_THRESHOLD of
+it without a break; duration = end - start [s]; impulse [N s] between the two; lastTime [s]: when the force was above
+that threshold for the last time, later than `end` if the bed or the impactor bounces. Times count from the record's start.
+"""
+
+
+BareImpact = namedtuple('BareImpact', 'pulse times forces')
+BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the base [N] at the times [s]."""
+
+
+def surfaceSpeed(speed, height, gravity=9.81):
+    """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it; `gravity` [m/s2]."""
+    return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), checks.positive('gravity', gravity))
+
+
+def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81, place=(0.0, 0.0)):
+    """Put the impactor, a YADE sphere, into the scene above a place of the base, on its way down.
+
+    It has `speed` [m/s] at `dropHeight` [m] above the `surface` [m]. The free fall is not simulated: the sphere
+    starts just above the highest obstacle below it, with the speed that it has there.
+
+    :param diameter: [m]; :param density: [kg/m3]
+    :param material: `CurvatureMat` in O.materials whose other parameters it takes
+    :param obstacles: ids of the particles; only those beneath the sphere count
+    :param gravity: downward [m/s2]
+    :param place: x and y of its centre [m]
+    :returns: its id
+    :raises ValueError: it would not get as high as the highest obstacle; nothing has been added then
+    """
+    radius = checks.positive('impactor diameter', diameter) / 2
+    density, gravity = checks.positive('impactor density', density), checks.positive('gravity', gravity)
+    speed, dropHeight = checks.notNegative('speed', speed), checks.notNegative('dropHeight', dropHeight)
+    bottom = max([surface] + [top for top in map(_topBeneath(radius, place), obstacles) if top is not None]) + CLEARANCE
+    startSpeed = speedAt(bottom - surface, speed, dropHeight, gravity)
+    own = type(material)(**{**material.dict(), 'id': -1, 'label': '', 'density': density})
+    O.materials.append(own)
+    body = utils.sphere((*place, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
+    body.state.vel = Vector3(0, 0, -startSpeed)
+    return O.bodies.append(body)
+
+
+def speedAt(height, speed, dropHeight, gravity):
+    """Speed [m/s] at `height` [m] above the surface of a sphere that has `speed` [m/s] at `dropHeight` [m] above it.
+
+    :param gravity: [m/s2]
+    :raises ValueError: `height` is above the top of its path
+    """
+    squared = speed ** 2 + 2 * gravity * (dropHeight - height)
+    if squared < 0:
+        raise ValueError(f'dropHeight = {dropHeight!r}: too low; with speed = {speed!r} m/s there the impactor has never been '
+                         f'{height:.4g} m above the surface, where it has to start')
+    return math.sqrt(squared)
+
+
+def _topBeneath(radius, place):
+    """Function that gives the upper end [m] of a particle's bounding sphere, None if it is out of the way."""
+    def top(bodyId):
+        body = O.bodies[bodyId]
+        reach = getattr(body.shape, 'radius', None) or body.shape.boundingRadius()
+        x, y, z = body.state.pos
+        return z + reach if math.hypot(x - place[0], y - place[1]) < radius + reach else None
+    return top
+
+
+def supportForce(ids):
+    """Vertical force of the particles on the bodies `ids` in the last step, down positive [N]."""
+    return -sum(O.forces.f(i)[2] for i in ids)
+
+
+class Recorder:
+    """Time series of an impact; `sample` goes after every step (as `afterStep` of `Stepper.run`).
+
+    Columns: time [s] from the start of the record; baseForce, wallForce: vertical force of the particles on base and side
+    walls, down positive [N]; impactorForce: vertical contact force on the impactor, up positive [N]; impactorHeight: its
+    lowest point above the base [m]; impactorVelocity: up positive [m/s]. Forces and height belong to the same
+    moment, the velocity to half a time step later (YADE integrates by leap-frog).
+    """
+
+    COLUMNS = ('time', 'baseForce', 'wallForce', 'impactorForce', 'impactorHeight', 'impactorVelocity')
+
+    def __init__(self, container, impactorId, startTime=None, rows=()):
+        self.container, self.impactorId = container, impactorId
+        self.startTime = O.time if startTime is None else startTime
+        self.rows = [tuple(row) for row in rows]
+
+    def sample(self):
+        impactor = O.bodies[self.impactorId]
+        height = impactor.state.pos[2] - impactor.state.vel[2] * O.dt - impactor.shape.radius
+        self.rows.append((O.time - O.dt - self.startTime, supportForce([self.container.baseId]),
+                          supportForce(self.container.sideIds), -supportForce([self.impactorId]), height,
+                          impactor.state.vel[2]))
+
+    def column(self, name):
+        index = self.COLUMNS.index(name)
+        return [row[index] for row in self.rows]
+
+
+def pulse(times, forces, staticForce):
+    """Measure the pulse in a record of `forces` [N] at `times` [s]; `staticForce` [N] is taken off first.
+
+    :raises ValueError: an empty record, one that is no record, or one in which no blow reached the base
+    """
+    if not times:
+        raise ValueError('times = []: nothing was recorded')
+    if len(times) != len(forces):
+        raise ValueError(f'forces: {len(forces)} of them, but {len(times)} times')
+    if not all(map(math.isfinite, (*times, *forces, staticForce))):
+        raise ValueError('times, forces, staticForce: must be finite')
+    if any(later < time for time, later in zip(times, times[1:])):
+        raise ValueError('times: must not fall')
+    extra = [force - staticForce for force in forces]
+    top = max(range(len(extra)), key=extra.__getitem__)
+    if extra[top] <= BLOW_THRESHOLD * abs(staticForce):
+        raise ValueError(f'forces: no blow reached the base, it rises by {extra[top]:.3g} N above the static {staticForce:.4g} N '
+                         f'within {times[-1] - times[0]:.3g} s; is maxImpactTime too short?')
+    threshold = PULSE_THRESHOLD * extra[top]
+    first = next((i + 1 for i in range(top - 1, -1, -1) if extra[i] < threshold), 0)
+    last = next((i - 1 for i in range(top + 1, len(extra)) if extra[i] < threshold), len(extra) - 1)
+    loud = max(i for i in range(len(extra)) if extra[i] >= threshold)
+    impulse = sum(0.5 * (extra[i] + extra[i + 1]) * (times[i + 1] - times[i]) for i in range(first, last))
+    return Pulse(extra[top], times[top], times[first], times[last], times[last] - times[first], impulse, times[loud])
+
+
+class EndOfImpact:
+    """Whether the impact is over: the impactor has touched, and since the peak the force on the base (less the static
+    one) has stayed within QUIET_THRESHOLD of the peak for QUIET_TIME."""
+
+    def __init__(self, recorder, staticForce):
+        self.recorder, self.staticForce = recorder, staticForce
+
+    def check(self):
+        peak, loudest = 0.0, None
+        for row in self.recorder.rows:
+            extra = row[1] - self.staticForce
+            peak = max(peak, extra)
+        if not any(row[3] > 0 for row in self.recorder.rows):
+            return False
+        for row in reversed(self.recorder.rows):
+            if abs(row[1] - self.staticForce) > QUIET_THRESHOLD * peak:
+                loudest = row[0]
+                break
+        return loudest is not None and self.recorder.rows[-1][0] - loudest > QUIET_TIME
+
+
+def recordImpact(stepper, recorder, staticForce, maxTime, film=None):
+    """Step and record until the impact is over, or for `maxTime` [s] at most; a `film` looks on. Returns whether it was over."""
+    end = EndOfImpact(recorder, staticForce)
+
+    def sample():
+        recorder.sample()
+        if film is not None:
+            film.sample()
+    while True:
+        stepper.run(CHECK_STEPS, sample)
+        if end.check():
+            return True
+        if O.time - recorder.startTime >= maxTime:
+            return False
+
+
+def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81, baseYoung=None):
+    """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
+
+    :param diameter: of the impactor [m]; :param density: its own [kg/m3]
+    :param material: `CurvatureMat` of base and impactor
+    :param speed: [m/s] that it has `dropHeight` above the base; :param dropHeight: [m]; :param gravity: downward [m/s2]
+    :param baseYoung: Young's modulus of the base [Pa], instead of the material's
+    :returns: `BareImpact`
+    :raises ValueError: it would not get off the base, or have no speed there
+    """
+    if surfaceSpeed(speed, dropHeight, gravity) == 0:
+        raise ValueError(f'speed = {speed!r}: with dropHeight = {dropHeight!r} the impactor reaches the base without speed')
+    parameters = {**material.dict(), 'id': -1, 'label': ''}
+    O.switchScene()
+    try:
+        O.resetThisScene()
+        own = type(material)(**parameters)
+        O.materials.append(own)
+        ground = own if baseYoung is None else type(material)(**{**parameters, 'young': checks.positive('baseYoung', baseYoung)})
+        base = O.bodies.append(utils.wall(0.0, 2, sense=1, material=ground))
+        impactor = addImpactor(diameter, density, own, speed, dropHeight, 0.0, (), gravity)
+        O.engines = superquadricEngines(gravity=(0, 0, -gravity))
+        O.dt = 0.005 * criticalTimeStep()  # its contact lasts about 200 such steps
+        recorder = Recorder(Container(base, (), None, None, None, None), impactor)
+        recordImpact(Stepper(stream=None), recorder, 0.0, maxTime=0.1)
+        times, forces = recorder.column('time'), recorder.column('baseForce')
+        return BareImpact(pulse(times, forces, 0.0), times, forces)
+    finally:
+        O.resetThisScene()
+        O.switchScene()

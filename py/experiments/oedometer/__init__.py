@@ -1,0 +1,1 @@
+"""A bed of particles that break, compressed by a plate."""

@@ -1,0 +1,122 @@
+"""Curves of oedometer tests in studies: means over the beds with their bands, a line per point; like the figures of Zhao & Chi (2023)."""
+import os
+
+import numpy
+
+from ...measure import contacts as contactstatistics
+from . import case as oedometercase
+from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
+from ...statistics.curves import meanCurve
+from ..quantities import xText
+from ...pictures.style import COLOURS, newFigure, outerLegend
+
+SAMPLES = 400
+FINEST = 1e-3           # of the mass: below, the axis of sizes ends
+MOST_CONTACTS = 25      # of a particle, on the axis
+RAREST = 1e-3           # probability density at which the axis of forces ends: in a bin less than one particle of 1,000
+
+
+def drawStresses(data, series, values, panels, records):
+    """Axial and lateral stress over strain, void ratio over axial stress, number of particles over strain."""
+    figure, ((strains, voids, numbers),) = newFigure(3, 1, 4.4, 3.8)
+    for label, colour, cases in _lines(data, series, values, records):
+        tests = [case.stress for case in cases]
+        at = numpy.linspace(0, max(test['strain'][-1] for test in tests), SAMPLES)
+        for panel, column, unit, style in ((strains, 'plateStress', 1e-6, {'label': label}), (strains, 'lateralStress', 1e-6, {'lw': 0.9, 'ls': ':'}),
+                                           (numbers, 'particles', 1, {})):
+            _drawBand(panel, at, [(test['strain'], unit * test[column]) for test in tests], colour, 100, **style)
+        # The highest stress so far: the record goes down at times.
+        highest = [numpy.maximum.accumulate(test['plateStress']) for test in tests]
+        at = numpy.geomspace(max(stress[0] for stress in highest), max(stress[-1] for stress in highest), SAMPLES)
+        _drawBand(voids, at, [(stress, test['voidRatio']) for stress, test in zip(highest, tests)], colour, 1e-6)
+    strains.set(**LABELS['strains'], ylim=(0, None))
+    voids.set(**LABELS['voids'])
+    numbers.set(**LABELS['particles'])
+    plainTicks(voids)
+    outerLegend(figure, (strains,))
+    return figure
+
+
+def drawGradings(data, series, values, panels, records):
+    """Grading curves before and after; and of the fragments, over the sizes of the particles that they are of."""
+    figure, ((whole, relative),) = newFigure(2, 1, 5.2, 4.0)
+    lowest, largest, known = 1.0, 0.0, set()
+    for label, colour, cases in _lines(data, series, values, records):
+        finest, coarsest = min(case.after.size(FINEST) for case in cases), max(case.before.sizes[-1] for case in cases)
+        lowest, largest = min(lowest, finest), max(largest, coarsest)
+        sizes = numpy.geomspace(finest, 1.001 * coarsest, SAMPLES)
+        beds = frozenset(case.bed for case in cases)
+        if beds not in known:   # lines on the same beds begin alike
+            first = None if known else 'before'
+            known.add(beds)
+            _drawBand(whole, sizes, _finer([case.before for case in cases], sizes), 'black', 1e3, ls='--', label=first)
+        _drawBand(whole, sizes, _finer([case.after for case in cases], sizes), colour, 1e3, label=label)
+        fragments = [case.relative for case in cases if case.relative is not None]
+        if fragments:
+            sizes = numpy.geomspace(RELATIVE_LOWEST, 1, SAMPLES)
+            _drawBand(relative, sizes, _finer(fragments, sizes), colour, 1)
+    whole.set(**LABELS['specimen'], xlim=(1e3 * lowest, 1.05e3 * largest))
+    relative.set(**LABELS['fragments'])
+    plainTicks(whole)
+    plainTicks(relative)
+    outerLegend(figure, (whole,))
+    return figure
+
+
+def drawContacts(data, series, values, panels, records):
+    """Distributions of contact number and mean contact force, with rattlers (left) and without (right)."""
+    figure, axes = newFigure(2, 2, 4.6, 3.2)
+    numbers, middles = numpy.arange(MOST_CONTACTS + 1), (FORCE_EDGES[1:] + FORCE_EDGES[:-1]) / 2
+    for label, colour, cases in _lines(data, series, values, records):
+        for column, choice in enumerate((lambda contacts: contacts, contactstatistics.withoutRattlers)):
+            chosen = [choice(case.contacts) for case in cases]
+            shares = [(numbers, _shares(contacts, numbers)) for contacts in chosen]
+            densities = [(middles, contactstatistics.forceDistribution(contacts, FORCE_EDGES)) for contacts in chosen]
+            _drawBand(axes[0, column], numbers, shares, colour, 1, marker='o', ms=3, label=label)
+            _drawBand(axes[1, column], middles, densities, colour, 1, RAREST, marker='o', ms=3)
+    for column, title in enumerate(SIDES):
+        axes[0, column].set(**LABELS['numbers'], title=title, ylim=(0, None))
+        axes[1, column].set(**LABELS['forces'], ylim=(RAREST, None))
+    outerLegend(figure, (axes[0, 0],))
+    return figure
+
+
+def _lines(data, series, values, records):
+    """(label, colour, cases of the beds) of every point that has finished tests."""
+    points = [(name, x) for name in series for x in values if len(data.rows(name, x))]
+    severalValues = len({x for _, x in points}) > 1
+    for k, (name, x) in enumerate(points):
+        label = f'{name} {xText(x)}'.strip() if severalValues or not name else name
+        rows = data.rows(name, x)
+        yield label, COLOURS[k % len(COLOURS)], [_BedCase(oedometercase.load(os.path.join(records, run)), bed)
+                                                 for run, bed in zip(rows['run'], rows['bed'])]
+
+
+class _BedCase:
+    """An `oedometercase.Case`, and which bed it is on."""
+
+    def __init__(self, case, bed):
+        self.stress, self.before, self.after, self.relative, self.contacts = case[1:]
+        self.bed = bed
+
+
+def _drawBand(axes, at, curves, colour, unit, lowest=None, **style):
+    """Mean of `curves` [(x, y)] at `at` with its band over the beds; `unit`: of x; `lowest`: what is below is not there (on logarithmic axes)."""
+    mean, half = meanCurve(curves, at)
+    if lowest is not None:
+        mean = numpy.where(mean >= lowest, mean, numpy.nan)
+        half = numpy.minimum(half, mean - lowest)
+    if numpy.isfinite(half).any():
+        axes.fill_between(unit * at, mean - half, mean + half, color=colour, alpha=0.15, lw=0)
+    axes.plot(unit * at, mean, color=colour, **{'lw': 1.5, **style})
+
+
+def _finer(gradings, sizes):
+    """[(sizes, mass finer [%])]"""
+    return [(sizes, 100 * grading.finer(sizes)) for grading in gradings]
+
+
+def _shares(contacts, numbers):
+    """Share of the particles that have so many contacts, for each of `numbers` 0, 1, ..."""
+    found = contactstatistics.numberDistribution(contacts)[1]
+    return numpy.pad(found, (0, max(0, len(numbers) - len(found))))[:len(numbers)]

@@ -1,0 +1,1 @@
+"""Files that are whole or not there, with sums that show damage: YAML, CSV, JSON, arrays."""

@@ -1,0 +1,1 @@
+"""Material files and the shipped materials."""

@@ -1,0 +1,1 @@
+"""Surfaces of triangles: tessellations, STL files, regions, packing fractions."""

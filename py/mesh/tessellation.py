@@ -1,0 +1,33 @@
+"""Particles as triangles, for pictures, files and meshes."""
+from dataclasses import dataclass
+
+import numpy
+from yade.minieigenHP import Vector3
+from yade.wrapper import Sphere, Superquadric
+
+from .. import checks
+
+
+@dataclass(frozen=True)
+class Tessellation:
+    """A closed convex surface of triangles, in the frame of the body."""
+    points: numpy.ndarray       #: (N, 3) on the surface of the particle [m]
+    normals: numpy.ndarray      #: (N, 3) outward unit normals of the particle's surface at the points
+    triangles: numpy.ndarray    #: (M, 3) indices of points, counterclockwise seen from outside
+    error: float                #: upper bound of the largest (Hausdorff) distance between the particle's surface and the triangles [m]
+
+
+def tessellation(shape, error):
+    """A `Superquadric` or `Sphere` as triangles within the distance `error` [m] of its surface; the arrays cannot be written to.
+
+    Points are close where the curvature is high; a sphere takes about 5 radius/error of them. ValueError for another shape, for an error that is not
+    positive and finite, and for one that takes more than a million points.
+    """
+    checks.positive('error', error)
+    if isinstance(shape, Sphere):
+        shape = Superquadric(extents=Vector3(shape.radius, shape.radius, shape.radius), n1=2, n2=2)
+    if not isinstance(shape, Superquadric):
+        raise ValueError(f'shape = {shape!r}: must be a Superquadric or a Sphere')
+    points, normals, triangles, bound = shape.tessellation(error)
+    arrays = (numpy.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in ((points, float), (normals, float), (triangles, numpy.int32)))
+    return Tessellation(*arrays, bound)

@@ -1,0 +1,1 @@
+"""Everything that is drawn: figures, particles, animations, the 3D view."""

@@ -1,0 +1,85 @@
+"""Frames of a run at equal times, on disk so that they survive an interruption: for the pictures at its end."""
+import os
+import re
+from collections.abc import Sequence
+from contextlib import suppress
+
+from yade import O
+
+from ..vtk import recorder
+from ..measure.frame import Frame
+
+NAME = re.compile(r'(\d{6})\.npz')
+
+
+class Film:
+    """Looks at the scene after every step (`sample`); what it takes does not depend on where a run was interrupted. Frames from after the present
+    moment, which a run took that was killed and goes on from an earlier checkpoint, are removed.
+
+    :param folder: of the frames, None: none are kept; :param series: folder of a series for ParaView, None: none
+    :param start: time of the first frame; :param period: from frame to frame [s]
+    """
+
+    def __init__(self, folder, series, start, period):
+        self.folder, self.series, self.start, self.period = folder, series, start, period
+        for path in filter(None, (folder, series)):
+            os.makedirs(path, exist_ok=True)
+        for number in () if folder is None else _numbers(folder):
+            if number > self._number(O.time - O.dt / 2):
+                os.remove(_path(folder, number))
+
+    def sample(self):
+        """Take a frame if the last step went past the time of one."""
+        middle = O.time - O.dt / 2  # of the step: away from the frames' times, so that rounding decides nothing
+        number = self._number(middle)
+        if number == self._number(middle - O.dt):
+            return
+        if self.folder is not None:
+            Frame.ofScene().save(_path(self.folder, number))
+        if self.series is not None:
+            recorder.record(self.series)
+
+    def _number(self, time):
+        return int((time - self.start) // self.period)
+
+    def frames(self):
+        """The `Frames` so far; none if the first ones were not taken."""
+        numbers = [] if self.folder is None else _numbers(self.folder)
+        return Frames(self.folder, self.period, numbers if numbers[:1] == [0] else [])
+
+
+class Frames(Sequence):
+    """Frames in a folder in the order of time, each read when it is asked for: all of a large bed would not fit into memory.
+
+    :ivar times: when they were taken, to a time step [s]; from the first one
+    """
+
+    def __init__(self, folder, period, numbers):
+        self.folder, self.period, self.numbers = folder, period, numbers
+        self.times = [number * period for number in numbers]
+
+    def __len__(self):
+        return len(self.numbers)
+
+    def __getitem__(self, place):
+        if isinstance(place, slice):
+            return Frames(self.folder, self.period, self.numbers[place])
+        return Frame.load(_path(self.folder, self.numbers[place]))
+
+
+def removeFrames(folder):
+    """Remove the frames in a folder, and the folder if nothing else is in it."""
+    if os.path.isdir(folder):
+        for name in os.listdir(folder):
+            if NAME.fullmatch(name.removesuffix('.part')):
+                os.remove(os.path.join(folder, name))
+        with suppress(OSError):  # something else is in it
+            os.rmdir(folder)
+
+
+def _numbers(folder):
+    return sorted(int(found[1]) for found in map(NAME.fullmatch, os.listdir(folder)) if found)
+
+
+def _path(folder, number):
+    return os.path.join(folder, f'{number:06d}.npz')

@@ -1,0 +1,229 @@
+"""What a frame looks like: triangles and tubes with their colours, and where to look from."""
+import numpy as np
+
+from ..measure import bodyarrays
+from ..measure.frame import Frame
+from ..mesh.surfaces import UPRIGHT, containerSurfaces, particleSurfaces
+
+SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
+KINDS = np.array([(0.9, 0.62, 0), (0.34, 0.71, 0.91), (0, 0.62, 0.45), (0.8, 0.47, 0.65), (0.94, 0.89, 0.26), (0, 0.45, 0.7)])  # Okabe & Ito
+CONTAINER = (0.55, 0.62, 0.70)
+FINENESS = 0.4         # of a pixel: distance between a particle's surface and its triangles
+DETAILS = 5e-4, 0.05   # the same over the largest half size, at least and at most
+FAINT, MIST = 0.05, (0.45, 0.50, 0.56)  # opacity and colour of plain particles around force chains
+GLASS = 0.18, 0.10     # opacity of the container, and around force chains
+TOP_SHARE = 0.995      # of all values lie below the end of a colour scale
+WEAK = 0.02            # forces below this share of the largest shown are left out
+THICKEST = 0.38        # radius of the thickest tube, over the particles' smallest half size (its median)
+ROOM = 1.04            # picture over what is in it
+HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
+LARGE = 2.0            # half size over the median (by volume), above which a particle is not cut away: an impactor
+
+# What colours mean: label, factor from SI, values of a frame.
+COLOURS = {
+    'plain': None, 'kind': None,
+    'speed': ('speed [m/s]', 1.0, lambda frame: frame.speeds()),
+    'force': ('largest normal force [N]', 1.0, lambda frame: frame.largestForces()),
+    'pressure': ('pressure [kPa]', 1e-3, lambda frame: -np.trace(frame.particles['stress'], axis1=1, axis2=2) / 3),
+    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda frame: frame.particles['octahedralStress']),
+    'contacts': ('contacts', 1.0, lambda frame: frame.particles['contacts'].astype(float)),
+}
+CHAIN_LABEL = 'normal force of contacts [N]'
+
+
+def hasScale(colour):
+    """Whether the colour stands for numbers."""
+    return colour is not None and COLOURS[colour] is not None
+
+
+class Style:
+    """How frames are coloured: all of one picture or animation alike.
+
+    :ivar colour, chains, cut: as in `render.picture`; :ivar limits: of the particles' colours; :ivar chainLimit: [N]; :ivar thickest: radius [m]
+    :ivar kinds: shapes (M, 4); :ivar box: around the particles of all frames (2, 3) [m]
+    """
+
+    def __init__(self, colour, chains, cut, limits, chainLimit, thickest, kinds, box):
+        self.colour, self.chains, self.cut = colour, chains, cut
+        self.limits, self.chainLimit, self.thickest, self.kinds, self.box = limits, chainLimit, thickest, kinds, box
+
+    @classmethod
+    def of(cls, frames, colour, chains, cut, limits, chainLimit):
+        """The style of `frames`, each of which is looked at once."""
+        values, strongest, sizes, kinds, boxes = [], [], [], np.zeros((0, 4)), []
+        for frame in frames:
+            if limits is None and hasScale(colour):
+                values.append(COLOURS[colour][1] * COLOURS[colour][2](frame))
+            forces = frame.normalForces()
+            strongest.append(_quantile(forces[np.isfinite(forces)], TOP_SHARE))
+            if len(frame.particles):
+                sizes.append(np.median(frame.particles['extents'].min(axis=1)))
+            kinds = np.unique(np.concatenate([kinds, _shapes(frame)]), axis=0)
+            boxes.append(_particleBox(frame))
+        if values:
+            values = np.concatenate(values)
+            values = values[np.isfinite(values)]
+            limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
+        if chains and chainLimit is None:
+            chainLimit = max(strongest)
+        box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
+        return cls(colour, chains, cut, limits, chainLimit, THICKEST * min(sizes, default=0.0), kinds, box)
+
+    def bars(self):
+        """List of (matplotlib's ScalarMappable, label)."""
+        from matplotlib.cm import ScalarMappable
+        result = []
+        if self.limits is not None:
+            result.append((ScalarMappable(_norm(self.limits), 'viridis'), COLOURS[self.colour][0]))
+        if self.chains:
+            result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
+        return result
+
+    def colours(self, frame):
+        """Of the particles, (N, 3) bytes."""
+        if self.colour == 'plain':
+            return _bytes(np.tile(MIST, (len(frame.particles), 1)) if self.chains else _plain(frame.particles))
+        if self.colour == 'kind':
+            # All kinds are in both lists, so their places are those in `kinds`.
+            _, places = np.unique(np.concatenate([self.kinds, _shapes(frame)]), axis=0, return_inverse=True)
+            return _bytes(KINDS[places.ravel()[len(self.kinds):] % len(KINDS)])
+        mappable, _ = self.bars()[0]
+        label, factor, values = COLOURS[self.colour]
+        return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
+
+
+def pieces(frame, style, eye, size):
+    """What `Renderer.draw` takes: container, particles, force chains of the `frame`, for a picture of `size` pixels."""
+    result, container = [], _container(frame, style)
+    plane = _cutPlane(style, frame, eye['direction'])
+    rows = _kept(frame.particles, plane)
+    shown = frame.particles[rows]
+    if style.colour is not None and len(shown):
+        surface = particleSurfaces(shown, _details(shown, eye['height'] / size[1]))
+        result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals,
+                           colours=style.colours(frame)[rows][surface.owner], opacity=FAINT if style.chains else 1.0))
+    if style.chains:
+        result += _chains(frame, style, plane)
+    if len(container.points):
+        result.append(dict(points=container.points, triangles=container.triangles, normals=container.normals, colour=CONTAINER,
+                           opacity=GLASS[style.chains], specular=0.0, **({} if plane is None else {'keep': plane})))
+    return result
+
+
+def _cutPlane(style, frame, direction):
+    """(point, normal) of the upright plane through the middle of the container or the particles; None without `cut`."""
+    if not style.cut:
+        return None
+    finite = np.any(frame.container['kind'] != bodyarrays.WALL)
+    box = Frame(frame.particles[:0], container=frame.container).box() if finite else style.box
+    return box.mean(axis=0), _horizontal(direction)
+
+
+def _kept(particles, plane):
+    """Which particles lie behind the plane (None: all), or are so large that the picture would miss them."""
+    if plane is None or not len(particles):
+        return np.ones(len(particles), dtype=bool)
+    sizes, volumes = particles['extents'].max(axis=1), particles['extents'].prod(axis=1)
+    order = np.argsort(sizes)
+    median = sizes[order[np.searchsorted(np.cumsum(volumes[order]), volumes.sum() / 2)]]
+    return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * median)
+
+
+def _details(particles, pixel):
+    """Of each particle, see `particleSurfaces`; `pixel`: what one shows [m]. In powers of two, so that few tessellations serve all."""
+    asked = FINENESS * pixel / particles['extents'].max(axis=1)
+    return np.clip(2.0 ** np.floor(np.log2(asked)), *DETAILS)
+
+
+def _chains(frame, style, plane):
+    """Tubes from centre to centre, of a section in proportion to the force."""
+    forces, rows = frame.normalForces(), frame.contacts
+    strong = forces > WEAK * style.chainLimit
+    if plane is not None:
+        strong &= (rows['point'] - plane[0]) @ plane[1] > 0
+    if not strong.any():
+        return []
+    share, mappable = np.clip(forces[strong] / style.chainLimit, 0, 1), style.bars()[-1][0]
+    ends = np.stack([rows['centre1'], rows['centre2']], axis=1)[strong].reshape(-1, 3)
+    return [dict(points=ends, lines=np.arange(len(ends)).reshape(-1, 2), radii=np.repeat(style.thickest * np.sqrt(share), 2),
+                 colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]
+
+
+def camera(frames, style, elevation, azimuth):
+    """Camera (see `Renderer.draw`) that sees all between the `frames`, the first one and the last, and height over width of its picture.
+
+    :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [rad]
+    """
+    direction = -np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
+    up = np.cross(right, direction)
+    corners = np.concatenate([_boxCorners(style.box), *(_container(frame, style).points for frame in frames)])
+    plane = _cutPlane(style, frames[0], direction)
+    if plane is not None:  # what is cut away is not looked at
+        corners = corners - np.minimum((corners - plane[0]) @ plane[1], 0)[:, None] * plane[1]
+    low, high = (np.array([(corners @ axis).min(), (corners @ axis).max()]) for axis in (right, up))
+    centre = low.mean() * right + high.mean() * up + (corners @ direction).mean() * direction
+    width, height = (ROOM * np.ptp(span) or 1.0 for span in (low, high))
+    return dict(centre=centre, direction=direction, up=up, height=height), height / width
+
+
+def _boxCorners(box):
+    return np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T
+
+
+def _particleBox(frame):
+    """Box around the particles alone, (2, 3) [m]; without any, around the container."""
+    return Frame(frame.particles).box() if len(frame.particles) else frame.box()
+
+
+def _container(frame, style):
+    """`Triangles` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
+    rows, (low, high) = frame.container.copy(), style.box[:, 2]
+    for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(frame.particles) else ():
+        border = rows[row]
+        if abs(bodyarrays.matrices(border['orientation'])[2, 2]) > UPRIGHT:
+            bottom, top = (border['position'][2] + side * border['numbers'][1] / 2 for side in (-1, 1))
+            bottom, top = max(bottom, low - HEADROOM * (high - low)), min(top, high + HEADROOM * (high - low))
+            border['position'][2], border['numbers'][1] = (bottom + top) / 2, top - bottom
+    return containerSurfaces(rows, style.box)
+
+
+def _horizontal(direction):
+    flat = np.array([direction[0], direction[1], 0.0])
+    return flat / np.linalg.norm(flat) if np.linalg.norm(flat) > 1e-9 else np.asarray(direction)
+
+
+def _plain(rows):
+    """Sand of slightly different tints; what is of another material than most is steel."""
+    tint = 0.82 + 0.18 * ((rows['id'] * 0.618034) % 1)
+    colours = tint[:, None] * SAND
+    if len(rows):
+        materials, counts = np.unique(rows['material'], return_counts=True)
+        colours[rows['material'] != materials[counts.argmax()]] = STEEL
+    return colours
+
+
+def _shapes(frame):
+    """Proportions and exponents (N, 4), rounded: what a kind of particle has in common."""
+    rows = frame.particles
+    return np.round(np.column_stack([rows['extents'][:, 1:] / rows['extents'][:, :1], rows['exponents']]), 3)
+
+
+def _norm(limits):
+    from matplotlib.colors import Normalize
+    low, high = limits
+    return Normalize(low, high if high > low else low + 1)
+
+
+def _chainColours():
+    from matplotlib import colormaps
+    from matplotlib.colors import ListedColormap
+    return ListedColormap(colormaps['inferno_r'](np.linspace(0.14, 0.95, 256)))  # without what is lost on white
+
+
+def _bytes(colours):
+    return np.round(255 * np.clip(colours, 0, 1)).astype('u1')
+
+
+def _quantile(values, share):
+    return float(np.quantile(values, share)) if len(values) else 0.0

@@ -1,0 +1,1 @@
+"""Samples, intervals, curves and saturation: plain numbers, nothing of YADE."""

@@ -1,0 +1,1 @@
+"""Series of files for ParaView, written and read back."""
