@@ -25,7 +25,7 @@ FAILED = 1                   # exit code beside those of all scripts
 RADIUS = 5e-3                # of the sphere of a cube's volume [m]
 IMPACTOR = 0.04, 7800.0      # diameter [m], density [kg/m3]
 COLUMNS = ('time', 'bodies', 'momentumX', 'momentumY', 'momentumZ', 'forceX', 'forceY', 'forceZ')
-ENERGIES = ('kinetic', 'elastic', 'gravWork', 'frictionDissip', 'normalViscous', 'tangentialViscous', 'rolling', 'nonconservative')
+ENERGIES = ('kinetic', 'elastPotential', 'gravWork', 'plastDissip', 'normDampDissip', 'shearDampDissip', 'rollingDissip', 'nonconservative')
 
 
 def options():

@@ -11,13 +11,13 @@ from yade.wrapper import (
     Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Wall_Sphere_ScGeom, Ig2_Wall_Superquadric_SuperquadricGeom,
     InsertionSortCollider, InteractionLoop, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
     Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
-    Law2_ScGeom_ElastoplasticPhys_FourPath, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
+    Law2_ScGeom_ElastoplasticPhys_LoadingUnloading, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
 
 from .. import checks
 from .contactlaws import CURVATURE, ELASTOPLASTIC
 
 LAWS = {CURVATURE: (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
-        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
+        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading)}
 
 
 def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):

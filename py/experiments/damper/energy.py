@@ -1,7 +1,7 @@
 """The energy account of a damper, from what YADE, contact law and box have booked in O.energy."""
 
 SOURCES = ('boxDrive', 'gravWork')  # negative of the work that comes from outside
-STATES = ('kinetic', 'elastic', 'boxKinetic', 'boxSpring')  # energy that is there now
+STATES = ('kinetic', 'elastPotential', 'boxKinetic', 'boxSpring')  # energy that is there now
 ERRORS = ('nonconservative',)  # what elastic forces without a potential have taken out, not a sink
 
 

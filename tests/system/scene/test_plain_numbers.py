@@ -2,7 +2,7 @@
 import random
 
 import pytest
-from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin, Law2_ScGeom_ElastoplasticPhys_FourPath, Superquadric
+from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading, Superquadric
 
 from yade.superquadric.scene.contactlaws import CONTACT_LAWS, LEVER_ARMS, OVERLAP_LIMIT
 from yade.superquadric.scene.engines import LAWS
@@ -40,5 +40,5 @@ def test_criticalTimeStepsAreThoseOfThePlugin(seed):
 
 def test_lawsHaveTheDefaultsOfThePlugin():
     assert tuple(LAWS) == CONTACT_LAWS
-    for law in (Law2_ScGeom_CurvaturePhys_HertzMindlin(), Law2_ScGeom_ElastoplasticPhys_FourPath()):
+    for law in (Law2_ScGeom_CurvaturePhys_HertzMindlin(), Law2_ScGeom_ElastoplasticPhys_LoadingUnloading()):
         assert (law.overlapLimit, law.leverArms) == (OVERLAP_LIMIT, LEVER_ARMS)
