@@ -6,7 +6,7 @@ import pytest
 from yade.wrapper import ElastoplasticMat
 
 import yade.superquadric as sq
-from yade.superquadric.materials import shipped
+from yade.superquadric.materials.shipped import FOLDER, materialAt
 
 SOFT = dict(young=1e8, poisson=0.3, density=2500, frictionAngle=0.4, normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.02,
             rollingDamping=0.1, yieldStress=1e5, m0=2.5, exponent=1.8)
@@ -80,9 +80,9 @@ def test_material_from_a_file(tmp_path):
     shipped = sq.elastoplasticMat('steel-4340', frictionAngle=0.3)
     assert (shipped.young, shipped.poisson, shipped.yieldStress) == (200e9, 0.32, 792e6) and shipped.frictionAngle == 0.3
     own = tmp_path / 'own.yaml'
-    own.write_text(open(shipped.FOLDER + '/steel-4340.yaml').read().replace('200000000000.0', '190000000000.0'))
+    own.write_text(open(FOLDER + '/steel-4340.yaml').read().replace('200000000000.0', '190000000000.0'))
     assert sq.elastoplasticMat(own).young == 190e9
-    assert shipped.materialAt('material', own) == str(own) and shipped.materialAt('material', 'steel-4340') == 'steel-4340'
+    assert materialAt('material', own) == str(own) and materialAt('material', 'steel-4340') == 'steel-4340'
 
 
 @pytest.mark.parametrize('value', ('steel.yaml', 3, None))
@@ -92,7 +92,7 @@ def test_no_such_material(value):
 
 
 def test_material_file_that_was_never_identified(tmp_path):
-    lines = open(shipped.FOLDER + '/steel-4340.yaml').read()
+    lines = open(FOLDER + '/steel-4340.yaml').read()
     (tmp_path / 'raw.yaml').write_text(lines[:lines.index('hardening:')])
     with pytest.raises(ValueError, match='material.hardening: is missing'):
         sq.elastoplasticMat(tmp_path / 'raw.yaml')
