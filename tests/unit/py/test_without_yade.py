@@ -5,7 +5,6 @@ import subprocess
 import sys
 
 import pytest
-
 from project import LIMIT, PROJECT, SUPPORT
 
 # Modules that make or read a scene, and those that need getfem; every other module of py/ is plain Python.
@@ -15,7 +14,7 @@ OF_YADE = {
     'experiments.impact.report', 'experiments.impact.run', 'experiments.impact.study',
     'experiments.oedometer.case', 'experiments.oedometer.comparison', 'experiments.oedometer.curves', 'experiments.oedometer.parameters',
     'experiments.oedometer.record', 'experiments.oedometer.report', 'experiments.oedometer.run', 'experiments.oedometer.study',
-    'materials.elastoplastic', 'measure.scenearrays', 'mesh.packing', 'mesh.regions', 'mesh.stl', 'pictures.film',
+    'materials.elastoplastic', 'measure.scenearrays', 'mesh.packing', 'mesh.regions', 'mesh.stl', 'pictures.snapshotrecorder',
     'runs.checkpoint', 'runs.finishedbed', 'runs.onbed', 'runs.staged', 'runs.versions',
     'scene.bodies', 'scene.engines', 'scene.filling', 'scene.parallel', 'scene.settling', 'scene.stepping', 'scene.walls',
     'study.experiments', 'study.page', 'study.plan', 'study.studyfile', 'study.table',
@@ -24,7 +23,7 @@ OF_GETFEM = {'plasticity.body', 'plasticity.cases', 'plasticity.identify'}
 PROGRAMS = {'pictures.renderprocess'}  # run as they are imported
 PLAIN_ROOMS = ('statistics', 'files')  # nothing in them may need YADE
 
-IMPORT_EACH = '''
+IMPORT_EACH = """
 import importlib, json, sys
 import plainpackage
 failed = {}
@@ -35,7 +34,7 @@ for name in json.load(sys.stdin):
     except ImportError as error:
         failed[name] = str(error)
 json.dump(failed, sys.stdout)
-'''
+"""
 
 
 def modules():
