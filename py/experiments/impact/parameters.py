@@ -9,7 +9,7 @@ from yade.wrapper import CurvatureMat
 from ... import checks
 from ...scene.shapes import SHAPES, particleShape
 from ...scene.container import Container, checkCylinder
-from ...scene.contactlaws import LEVER_ARMS, OVERLAP_LIMIT
+from ...scene.contactlaws import EFFECTIVE_MASS_AT_CONTACT, OVERLAP_LIMIT
 from ...scene.expectedbed import DEEP_FRACTION, DENSEST, particleNumber
 from ...scene.rain import GAP, SIDEWAYS
 from .impactor import CALIBRATED_DENSITY, CLEARANCE, speedAt, surfaceSpeed
@@ -61,7 +61,7 @@ PARAMETERS = (
     Parameter('baseYoung', None, 'Pa', optional(checks.positive), 'Young\'s modulus of the base in the impact, instead of young', IMPACT),
     Parameter('overlapLimit', OVERLAP_LIMIT, '', between(0, 1), 'bound of the curvatures in the impact, see '
               'Law2_ScGeom_CurvaturePhys_HertzMindlin', IMPACT),
-    Parameter('leverArms', LEVER_ARMS, '', checks.boolean, 'whether m* of the normal damping counts lever arms in the impact, see there', IMPACT),
+    Parameter('leverArms', EFFECTIVE_MASS_AT_CONTACT, '', checks.boolean, 'whether m* of the normal damping counts lever arms in the impact, see there', IMPACT),
     Parameter('maxImpactTime', 0.05, 's', checks.positive, 'simulated time after which the impact ends in any case', IMPACT),
     Parameter('seed', 1, '', count(0), 'seed of positions, orientations and sizes', BED),
 )
