@@ -9,7 +9,7 @@ from yade import O, utils
 from yade.minieigenHP import Vector3
 
 from ... import checks
-from ...pictures.film import Film
+from ...pictures.snapshotrecorder import SnapshotRecorder
 from ...scene.container import Container
 from ...scene.engines import criticalTimeStep, superquadricEngines
 from ...scene.stepping import Stepper
@@ -165,7 +165,7 @@ class EndOfImpact:
         return loudest is not None and self.recorder.rows[-1][0] - loudest > QUIET_TIME
 
 
-def recordImpact(stepper: Stepper, recorder: Recorder, staticForce: float, maxTime: float, film: Film | None = None) -> bool:
+def recordImpact(stepper: Stepper, recorder: Recorder, staticForce: float, maxTime: float, film: SnapshotRecorder | None = None) -> bool:
     """Step and record until the impact is over, or for `maxTime` [s] at most; a `film` looks on. Returns whether it was over."""
     end = EndOfImpact(recorder, staticForce)
 

@@ -6,7 +6,7 @@ import os
 from typing import TYPE_CHECKING
 
 from ...pictures import attempt, render, renderer
-from ...pictures.film import Film, Frames, removeFrames
+from ...pictures.snapshotrecorder import SnapshotRecorder, SnapshotSequence, removeSnapshots
 from ...vtk import recorder
 from . import forceplot
 from .impactor import Pulse
@@ -22,17 +22,17 @@ AFTERWARDS = 2e-3  # for which the animation goes on when the pulse is over [s]
 MOST = 60          # frames of the animation
 
 
-def film(run: ImpactRun) -> Film | None:
-    """The `Film` of the impact of a `run` (`ImpactRun`), None where none is wanted."""
+def film(run: ImpactRun) -> SnapshotRecorder | None:
+    """The `SnapshotRecorder` of the impact of a `run` (`ImpactRun`), None where none is wanted."""
     drawn = run.pictures and renderer.missing() is None
     if not drawn and not run.state.vtk:
         return None
-    return Film(run.path(FRAMES) if drawn else None, run.path(SERIES) if run.state.vtk else None, run.state.startTime, PERIOD)
+    return SnapshotRecorder(run.path(FRAMES) if drawn else None, run.path(SERIES) if run.state.vtk else None, run.state.startTime, PERIOD)
 
 
 def removeOld(run: ImpactRun) -> None:
     """Remove the frames and the series that an earlier run left in the folder."""
-    removeFrames(run.path(FRAMES))
+    removeSnapshots(run.path(FRAMES))
     recorder.remove(run.path(SERIES))
 
 
@@ -49,12 +49,12 @@ def draw(run: ImpactRun) -> None:
     title = f'{len(run.ids)} particles ({_describe(run.parameters)}), thickness {1e3 * state.bed["thickness"]:.1f} mm'
     record, bare = (recorded.column('time'), recorded.column('baseForce')), (state.bare['times'], state.bare['forces'])
     attempt.attempt(run, 'the force', lambda: forceplot.forcePicture(run.path(FORCE), record, pulse, state.staticForce, bare, title))
-    frames = None if run.film is None else run.film.frames()
+    frames = None if run.film is None else run.film.snapshots()
     if not frames or attempt.attempt(run, 'the particles', lambda: _drawParticles(run, frames, pulse, title)):
-        removeFrames(run.path(FRAMES))
+        removeSnapshots(run.path(FRAMES))
 
 
-def _drawParticles(run: ImpactRun, frames: Frames, pulse: Pulse, title: str) -> None:
+def _drawParticles(run: ImpactRun, frames: SnapshotSequence, pulse: Pulse, title: str) -> None:
     start = run.state.startTime
     render.picture(run.path(BED), [('before the impact', frames[0]), ('after the impact', frames[-1])], cut=True,
                    title=title + ' (front half taken away)')

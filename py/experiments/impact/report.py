@@ -8,7 +8,7 @@ from yade import O
 
 from ...files import results
 from ...measure.snapshot import Snapshot
-from ...pictures import film
+from ...pictures import snapshotrecorder
 from ...runs import filenames
 from ...runs.versions import versions
 from ...scene.engines import criticalTimeStep
@@ -33,7 +33,7 @@ def write(run: ImpactRun) -> dict[str, Any]:
     if run.pictures:
         pictures.draw(run)
     else:
-        film.removeFrames(run.path(pictures.FRAMES))
+        snapshotrecorder.removeSnapshots(run.path(pictures.FRAMES))
     return content
 
 

@@ -13,7 +13,7 @@ from yade.wrapper import CurvatureMat, InteractionLoop
 from ...files import results
 from ...measure.bed import measureBed
 from ...measure.snapshot import Snapshot
-from ...pictures.film import Film
+from ...pictures.snapshotrecorder import SnapshotRecorder
 from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
@@ -163,7 +163,7 @@ class ImpactRun(BedRun[ImpactParameters, ImpactState]):
     FILES = (*report.FILES, *pictures.FILES)
 
     recorder: Recorder | None = None
-    film: Film | None = None
+    film: SnapshotRecorder | None = None
 
     @classmethod
     def begin(cls, parameters: Mapping[str, Any], output: str, stream: TextIO | None = sys.stderr) -> Self:

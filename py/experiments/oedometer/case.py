@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...files import results
 from ...measure.bed import particleVolumes
-from ...measure.contacts import Contacts
+from ...measure.contactstatistics import Contacts
 from ...measure.grading import Grading
 from ...measure.snapshot import Snapshot
 from ...runs.filenames import BEFORE, SUMMARY

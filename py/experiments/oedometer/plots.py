@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from ...measure import contacts as contactstatistics
-from ...measure.frame import Frame
+from ...measure import contactstatistics
 from ...measure.grading import Grading
+from ...measure.scenesnapshot import SceneSnapshot
 from ...measure.snapshot import Snapshot
 from ...pictures import render
 from ...pictures.style import COLOURS, newFigure, outerLegend, save
@@ -102,4 +102,4 @@ def contacts(path: str, cases: Sequence[Case]) -> None:
 
 def specimens(path: str, views: Iterable[tuple[str, Snapshot]], container: Container) -> None:
     """The specimen from the side, its front half taken away: a panel for each (caption, `Snapshot`)."""
-    render.picture(path, [(caption, Frame.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)
+    render.picture(path, [(caption, SceneSnapshot.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)

@@ -9,9 +9,9 @@ from yade import O
 from yade.wrapper import BreakageEngine
 
 from ...files import results
-from ...measure import contacts as contactstatistics, enclosure, grading
+from ...measure import contactstatistics, enclosure, grading
 from ...measure.bed import particleVolumes
-from ...measure.contacts import Contacts
+from ...measure.contactstatistics import Contacts
 from ...measure.snapshot import Snapshot
 from ...pictures import attempt, renderer
 from ...runs.versions import versions
