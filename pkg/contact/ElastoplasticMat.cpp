@@ -20,9 +20,9 @@ void ElastoplasticMat::check() const
 	requireNotNegative("rollingDamping", rollingDamping);
 }
 
-std::vector<Real*> ElastoplasticMat::parameters()
+AcceptedAttributes::References ElastoplasticMat::checkedAttributes()
 {
-	auto all = CurvatureMat::parameters();
+	auto all = CurvatureMat::checkedAttributes();
 	for (Real* own : { &yieldStress, &referenceRadius, &m0, &m1, &m2, &exponent, &smallestRatio, &largestRatio, &rollingDamping })
 		all.push_back(own);
 	return all;

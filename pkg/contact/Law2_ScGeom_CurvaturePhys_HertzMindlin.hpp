@@ -15,7 +15,7 @@ public:
 	void postLoad(Law2_ScGeom_CurvaturePhys_HertzMindlin&) { checkOverlapLimit(overlapLimit); }
 
 protected:
-	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
+	Load respond(CurvaturePhys& phys, const ContactKinematics& bodies) override;
 
 private:
 	struct Response {
@@ -25,13 +25,13 @@ private:
 	};
 	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError };
 
-	Response response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const;
-	void bookEnergy(const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz);
+	Response response(const CurvaturePhys& phys, const ContactKinematics& bodies, Real rollingRadius) const;
+	void bookEnergy(const CurvaturePhys& before, const ContactKinematics& bodies, const Response& now, Real hertz);
 
 	EnergyEntries energies { { "elastic", "frictionDissip", "normalViscous", "tangentialViscous", "rolling", "nonconservative" } };
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_CurvaturePhys_HertzMindlin, LawFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR(Law2_ScGeom_CurvaturePhys_HertzMindlin, LawFunctor,
 		"Contact law of [Wang2018]_, (6)-(13), with the radius of curvature at the contact: for :yref:`Superquadric` and for YADE's :yref:`Sphere` "
 			"alike, with each other and with walls. "
 		"A partner that is neither is flat. What the paper leaves open:\n\n"
@@ -58,6 +58,7 @@ private:
 			"with the levers $\\mathbf{l}_i=(\\mathbf{x}_c-\\mathbf{x}_i)\\times\\mathbf{n}$. Then $C_n$ sets the restitution whatever the lever, "
 				"which the paper's own check, (15) and (16) with the restitution 0.85 at every angle, "
 			"supposes. False: the paper's $m_1m_2/(m_1+m_2)$ to the letter, which damps eccentric impacts more. No difference for spheres."))
+		, postLoad(*this);
 	);
 	// clang-format on
 };

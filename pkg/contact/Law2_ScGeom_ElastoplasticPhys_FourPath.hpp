@@ -18,7 +18,7 @@ public:
 	void postLoad(Law2_ScGeom_ElastoplasticPhys_FourPath&) { checkOverlapLimit(overlapLimit); }
 
 protected:
-	ContactLoad respond(CurvaturePhys& phys, const Meeting& bodies) override;
+	Load respond(CurvaturePhys& phys, const ContactKinematics& bodies) override;
 
 private:
 	// A spring with a dashpot beside it.
@@ -36,17 +36,17 @@ private:
 	};
 	enum Energy { Elastic, Plastic, NormalViscous, TangentialViscous, Friction, RollingViscous, RollingFriction, ModelError };
 
-	Response response(const ElastoplasticPhys& phys, const Meeting& bodies) const;
-	SpringAndDashpot tangential(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal) const;
-	SpringAndDashpot rolling(const ElastoplasticPhys& phys, const Meeting& bodies, const superquadric::elastoplastic::State& normal) const;
-	void bookEnergy(const ElastoplasticPhys& before, const Meeting& bodies, const Response& now);
-	Real modelError(const ElastoplasticPhys& before, const Meeting& bodies, const superquadric::elastoplastic::State& now) const;
+	Response response(const ElastoplasticPhys& phys, const ContactKinematics& bodies) const;
+	SpringAndDashpot tangential(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const superquadric::elastoplastic::State& normal) const;
+	SpringAndDashpot rolling(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const superquadric::elastoplastic::State& normal) const;
+	void bookEnergy(const ElastoplasticPhys& before, const ContactKinematics& bodies, const Response& now);
+	Real modelError(const ElastoplasticPhys& before, const ContactKinematics& bodies, const superquadric::elastoplastic::State& now) const;
 
 	EnergyEntries energies { { "elastic", "plastic", "normalViscous", "tangentialViscous", "frictionDissip", "rollingViscous", "rollingFriction",
 		"nonconservative" } };
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS(Law2_ScGeom_ElastoplasticPhys_FourPath, LawFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR(Law2_ScGeom_ElastoplasticPhys_FourPath, LawFunctor,
 		"Contact law for spheres and superquadrics that yield, after Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 2018. All forces "
 			"are those on body 2.\n\n"
 		"* Normal force on four paths: elastic loading (Hertz), plastic loading, elastic unloading and reloading, further plastic loading. Until the "
@@ -70,6 +70,7 @@ private:
 			"and 1 [-]. It bounds the radius of curvature, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
 		((bool, leverArms, true, , "Whether $m^*$ of the normal damping counts that an off-centre push also turns the bodies, see "
 			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
+		, postLoad(*this);
 	);
 	// clang-format on
 };

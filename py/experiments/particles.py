@@ -1,5 +1,5 @@
 """The particles of an experiment, in the one form that equal beds have in common."""
-from ..scene.bodies import BLOCK_EXPONENT, particleShape
+from ..scene.shapes import BLOCK_EXPONENT, particleShape
 
 # Exponents that a shape has by its name, and the names: with aspect 1, and with any other.
 NAMED = {(2.0, 2.0): ('ellipsoid', 'ellipsoid'), (BLOCK_EXPONENT, 2.0): ('cylinder', 'cylinder'), (BLOCK_EXPONENT, BLOCK_EXPONENT): ('cube', 'block')}

@@ -1,8 +1,6 @@
 """One moment of a scene, as the arrays that files and pictures are made of."""
 import numpy as np
 
-from yade import O
-
 from ..files import arrayfile
 from . import bodyarrays
 from .. import checks
@@ -29,10 +27,13 @@ class Frame:
 
         :raises ValueError: a body that is not in the scene
         """
-        particles, contacts = bodyarrays.particles(ids), bodyarrays.contacts()
+        from yade import O  # the rest of this module needs no YADE
+
+        from . import scenearrays
+        particles, contacts = scenearrays.particles(ids), scenearrays.contacts()
         if ids is not None:
             contacts = contacts[np.isin(contacts['id1'], particles['id']) | np.isin(contacts['id2'], particles['id'])]
-        return cls(particles, contacts, bodyarrays.container(), O.iter, O.time)
+        return cls(particles, contacts, scenearrays.container(), O.iter, O.time)
 
     @classmethod
     def ofSnapshot(cls, snapshot, container=None):

@@ -4,8 +4,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from yade.wrapper import Superquadric
-
 from ..measure import bodyarrays
 from .tessellation import tessellation
 
@@ -23,6 +21,7 @@ whose row a point belongs to."""
 @lru_cache(maxsize=64)
 def _unit(n1, n2, detail):
     """The tessellation of the superquadric with half sizes 1 [m]: all of the same exponents are this one, stretched."""
+    from yade.wrapper import Superquadric  # surfaces of containers need no YADE
     return tessellation(Superquadric(extents=(1, 1, 1), n1=n1, n2=n2), detail)
 
 

@@ -14,9 +14,10 @@ from yade.wrapper import (
     Law2_ScGeom_ElastoplasticPhys_FourPath, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
 
 from .. import checks
+from .contactlaws import CURVATURE, ELASTOPLASTIC
 
-LAWS = {'curvature': (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
-        'elastoplastic': (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
+LAWS = {CURVATURE: (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
+        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
 
 
 def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):
@@ -68,8 +69,8 @@ def _lawFor(law):
     elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)
                      and not (isinstance(body.mat, BreakableMat) and math.isinf(body.mat.yieldStress))]
     if law is None:
-        return 'elastoplastic' if elastoplastic else 'curvature'
-    if checks.oneOf('law', law, LAWS) == 'curvature':
+        return ELASTOPLASTIC if elastoplastic else CURVATURE
+    if checks.oneOf('law', law, LAWS) == CURVATURE:
         for body in elastoplastic:
             if math.isfinite(body.mat.yieldStress):
                 raise ValueError(f'law = {law!r}: it knows no yielding, but body {body.id} has an ElastoplasticMat with '

@@ -29,6 +29,7 @@ from .engines import engine
 
 WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
 MOVERS = (KinematicEngine, BoundaryController)      # engines that move walls
+VTK_RECORDER = 'superquadric.vtk.recorder'          # stands in the command of the PyRunner that vtkRecorder makes
 SPARED = ('unboundRemoteBodies', 'eraseRemote')     # functions of mpy, see _split
 
 
@@ -175,7 +176,7 @@ def _checkEnginesAndWalls():
             raise ValueError(f'engine = {type(each).__name__}: it needs the whole scene in one process')
         if isinstance(each, MOVERS):
             raise ValueError(f'engine = {type(each).__name__}: walls cannot move on several ranks')
-        if isinstance(each, PyRunner) and 'vtkrecorder' in each.command:
+        if isinstance(each, PyRunner) and VTK_RECORDER in each.command:
             raise ValueError('engine = vtkRecorder: each rank would write its own part under the same names; record on rank 0 after merge')
     # Rank 0 tells no other rank where its bodies are: a wall that moved would stand still for the particles.
     for body in O.bodies:

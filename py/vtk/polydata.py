@@ -45,7 +45,7 @@ def particleArrays(rows):
     stress = rows['stress'].reshape(-1, 9)
     return {'id': rows['id'].astype('i4'), 'kind': rows['kind'].astype('i1'), 'material': rows['material'].astype('i2'),
             'exponents': rows['exponents'].astype('f4'), 'volume': rows['volume'].astype('f4'), 'velocity': rows['velocity'].astype('f4'),
-            'spin': rows['spin'].astype('f4'), 'stress': stress.astype('f4'), 'pressure': (-stress[:, ::4].sum(axis=1) / 3).astype('f4'),
+            'angVel': rows['angVel'].astype('f4'), 'stress': stress.astype('f4'), 'pressure': (-stress[:, ::4].sum(axis=1) / 3).astype('f4'),
             'octahedralStress': rows['octahedralStress'].astype('f4'), 'contacts': rows['contacts'].astype('i2')}
 
 

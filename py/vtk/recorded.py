@@ -58,7 +58,7 @@ def _particles(data):
     rows['position'] = polydata.points(data)
     rows['extents'], rows['orientation'] = values['halfSizes'], np.roll(values['orientation'], -1, axis=1)
     rows['stress'] = values['stress'].reshape(-1, 3, 3)
-    for name in ('id', 'kind', 'material', 'contacts', 'exponents', 'velocity', 'spin', 'volume', 'octahedralStress'):
+    for name in ('id', 'kind', 'material', 'contacts', 'exponents', 'velocity', 'angVel', 'volume', 'octahedralStress'):
         rows[name] = values[name]
     return rows
 

@@ -52,7 +52,7 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     if not os.access(folder, os.W_OK):
         raise PermissionError(f'folder = {folder!r}: cannot be written to')
     arguments = ', '.join(f'{name}={value!r}' for name, value in what.items())
-    command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({folder!r}, {arguments})"
+    command = f"__import__('{__name__}', fromlist=['record']).record({folder!r}, {arguments})"
     return PyRunner(command=command, updateGlobals=False, initRun=initRun, label=label, **periods)
 
 

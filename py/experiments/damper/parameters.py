@@ -9,10 +9,11 @@ import math
 from yade.wrapper import CurvatureMat
 
 from ... import checks
-from ...scene.bodies import SHAPES, particleShape
-from ...scene.engines import LAWS
-from ...scene.filling import DEEP_FRACTION
-from ...materials.library import elastoplasticMat, materialAt, properties
+from ...scene.shapes import SHAPES, particleShape
+from ...scene.contactlaws import CONTACT_LAWS
+from ...scene.expectedbed import DEEP_FRACTION
+from ...materials.elastoplastic import elastoplasticMat
+from ...materials.shipped import materialAt, properties
 from ...runs.parameters import Parameter, between, completed, count, defaultsOf, oneOf, optional, within
 from ...scene.restitution import collisionDuration, normalDampingFor
 
@@ -34,7 +35,7 @@ PARAMETERS = (
     Parameter('boxWidth', 0.042, 'm', checks.positive, 'inner size of the box along x', BOX),
     Parameter('boxDepth', 0.042, 'm', checks.positive, 'the same along y', BOX),
     Parameter('boxHeight', 0.024, 'm', checks.positive, 'the same along z', BOX),
-    Parameter('law', 'elastoplastic', '', oneOf(LAWS), 'contact law: ' + ', '.join(LAWS), BOX),
+    Parameter('law', 'elastoplastic', '', oneOf(CONTACT_LAWS), 'contact law: ' + ', '.join(CONTACT_LAWS), BOX),
     Parameter('material', 'aluminium-2024-T351', '', materialAt, 'of particles and box: a shipped material, or a material file', BOX),
     Parameter('density', None, 'kg/m3', optional(checks.positive), 'density of the particles, instead of the material\'s', BOX),
     Parameter('young', None, 'Pa', optional(checks.positive), 'Young\'s modulus of particles and box, instead of the material\'s', BOX),

@@ -12,7 +12,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import VibratingBoxEngine, VibrationRecorder
 
 from . import report
-from ...scene.container import boxContainer
+from ...scene.walls import boxContainer
 from .parameters import checked, makeMaterial, sampleSteps, shapeOf, startOf, timeStep
 from ...scene.engines import engine, halfSizes, superquadricEngines
 from ...scene.filling import rainFilling

@@ -4,18 +4,19 @@ The defaults are the case of Wang & Ji, Acta Phys. Sin. 67, 094501 (2018) that t
 """
 import math
 
-from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin
+from yade.wrapper import CurvatureMat
 
 from ... import checks
-from ...scene.bodies import SHAPES, particleShape
+from ...scene.shapes import SHAPES, particleShape
 from ...scene.container import Container, checkCylinder
-from ...scene.filling import DEEP_FRACTION, DENSEST, GAP, SIDEWAYS, particleNumber
+from ...scene.contactlaws import LEVER_ARMS, OVERLAP_LIMIT
+from ...scene.expectedbed import DEEP_FRACTION, DENSEST, particleNumber
+from ...scene.rain import GAP, SIDEWAYS
 from .impactor import CALIBRATED_DENSITY, CLEARANCE, speedAt, surfaceSpeed
 from ...runs.parameters import Parameter, between, completed, count, defaultsOf, oneOf, optional, scopeOf, within
-from ...scene.settling import QUIET
+from ...scene.settlingrules import QUIET
 
 BED, IMPACT = 'bed', 'impact'  # scopes: of the bed, and of what may differ from impact to impact on the same bed
-LAW = Law2_ScGeom_CurvaturePhys_HertzMindlin()  # for its defaults
 
 PARAMETERS = (
     Parameter('shape', 'cube', '', oneOf(SHAPES), 'shape of the particles: ' + ', '.join(SHAPES), BED),
@@ -58,9 +59,9 @@ PARAMETERS = (
     Parameter('impactorX', 0.0, 'm', checks.finite, 'where it falls: distance from the container\'s axis along x', IMPACT),
     Parameter('impactorY', 0.0, 'm', checks.finite, 'the same along y', IMPACT),
     Parameter('baseYoung', None, 'Pa', optional(checks.positive), 'Young\'s modulus of the base in the impact, instead of young', IMPACT),
-    Parameter('overlapLimit', LAW.overlapLimit, '', between(0, 1), 'bound of the curvatures in the impact, see '
+    Parameter('overlapLimit', OVERLAP_LIMIT, '', between(0, 1), 'bound of the curvatures in the impact, see '
               'Law2_ScGeom_CurvaturePhys_HertzMindlin', IMPACT),
-    Parameter('leverArms', LAW.leverArms, '', checks.boolean, 'whether m* of the normal damping counts lever arms in the impact, see there', IMPACT),
+    Parameter('leverArms', LEVER_ARMS, '', checks.boolean, 'whether m* of the normal damping counts lever arms in the impact, see there', IMPACT),
     Parameter('maxImpactTime', 0.05, 's', checks.positive, 'simulated time after which the impact ends in any case', IMPACT),
     Parameter('seed', 1, '', count(0), 'seed of positions, orientations and sizes', BED),
 )

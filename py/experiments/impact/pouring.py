@@ -4,9 +4,10 @@ import random
 from yade import O
 from yade.wrapper import CurvatureMat
 
-from ...scene.container import cylinderContainer
+from ...scene.walls import cylinderContainer
 from ...scene.engines import criticalTimeStep, superquadricEngines
-from ...scene.filling import DENSEST, rainFilling
+from ...scene.expectedbed import DENSEST
+from ...scene.filling import rainFilling
 from .parameters import materialOf, shapeOf
 
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at, before the best one is taken

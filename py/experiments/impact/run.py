@@ -9,12 +9,13 @@ from . import pictures, report
 from ...files import results
 from ...measure.bed import measureBed
 from ...runs.onbed import BedRun
-from ...scene.container import setHeight
+from ...scene.walls import setHeight
 from ...scene.engines import engine
 from .impactor import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
 from .parameters import bedPart, checked, criticalImpactStep, materialOf, particleCount
 from .pouring import nextCount, rain
-from ...scene.settling import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, RestCriterion, rampSteps, setYoung, settle, stiffen
+from ...scene.settling import RestCriterion, setYoung, settle, stiffen
+from ...scene.settlingrules import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, rampSteps
 from ...measure.snapshot import Snapshot
 from ...scene.stepping import Interrupted
 

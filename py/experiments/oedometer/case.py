@@ -6,7 +6,7 @@ import numpy as np
 
 from ...files import results
 from ...measure.bed import particleVolumes
-from ...measure.contacts import Contacts
+from ...measure.contactstatistics import Contacts
 from ...runs.finishedbed import BEFORE
 from ...measure.grading import Grading
 from ...measure.snapshot import Snapshot

@@ -8,8 +8,8 @@ import math
 from yade.wrapper import BreakableMat, CurvatureMat
 
 from ... import checks
-from ...scene.bodies import SHAPES, particleShape
-from ...scene.filling import DEEP_FRACTION
+from ...scene.shapes import SHAPES, particleShape
+from ...scene.expectedbed import DEEP_FRACTION
 from ...runs.parameters import Parameter, between, completed, count, defaultsOf, oneOf, optional, scopeOf, within
 from ...scene.restitution import normalDampingFor
 

@@ -1,7 +1,7 @@
 """Pictures of oedometer tests, one or several together, like those of Zhao & Chi (2023)."""
 import numpy as np
 
-from ...measure import contacts
+from ...measure import contactstatistics
 from ...pictures import render
 from ...measure.frame import Frame
 from ...pictures.style import COLOURS, newFigure, outerLegend, save
@@ -79,10 +79,10 @@ def contacts(path, cases):
     figure, panels = newFigure(2, 2, 4.6, 3.2)
     middles = (FORCE_EDGES[1:] + FORCE_EDGES[:-1]) / 2
     for colour, case in zip(COLOURS, cases):
-        for column, chosen in enumerate((case.contacts, contacts.withoutRattlers(case.contacts))):
-            numbers, shares = contacts.numberDistribution(chosen)
+        for column, chosen in enumerate((case.contacts, contactstatistics.withoutRattlers(case.contacts))):
+            numbers, shares = contactstatistics.numberDistribution(chosen)
             panels[0, column].plot(numbers, shares, 'o-', ms=3, color=colour, lw=1, label=_name(case))
-            density = contacts.forceDistribution(chosen, FORCE_EDGES)
+            density = contactstatistics.forceDistribution(chosen, FORCE_EDGES)
             panels[1, column].plot(middles, np.where(density > 0, density, np.nan), 'o-', ms=3, color=colour, lw=1)
     for column, title in enumerate(SIDES):
         panels[0, column].set(**LABELS['numbers'], title=title, xlim=(-0.5, 25.5))

@@ -4,11 +4,11 @@ import numpy as np
 from yade import O
 from yade.wrapper import BreakageEngine
 
-from ...measure import contacts as contactstatistics, enclosure, grading
+from ...measure import contactstatistics, enclosure, grading
 from ...pictures import attempt, renderer
 from . import case as oedometercase, plots
 from ...files import results
-from ...measure.contacts import Contacts
+from ...measure.contactstatistics import Contacts
 from ...scene.engines import engine
 from .case import BEFORE, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, STRESS, SUMMARY, sizesOf
 from .parameters import materialOf, section

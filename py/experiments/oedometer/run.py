@@ -12,7 +12,7 @@ from yade.wrapper import BreakageEngine, NewtonIntegrator, Sphere, Superquadric
 
 from . import report
 from ...runs.onbed import BedRun
-from ...scene.container import boxContainer, cylinderContainer, setHeight
+from ...scene.walls import boxContainer, cylinderContainer, setHeight
 from ...scene.engines import engine, superquadricEngines
 from ...scene.filling import rainFilling
 from .parameters import bedPart, bedTimeStep, breakageSeed, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep

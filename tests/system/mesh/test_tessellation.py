@@ -1,7 +1,7 @@
 """Particles as triangles, from Python."""
 import numpy
 import pytest
-from yade.superquadric.mesh import tessellation
+from yade.superquadric import tessellation
 from yade.wrapper import Facet, Sphere, Superquadric
 
 

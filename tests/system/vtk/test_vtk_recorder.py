@@ -48,7 +48,7 @@ def test_particlesAreTheScene(recorded):
     for k, body in enumerate(bodies):
         extents = (body.shape.radius,) * 3 if isinstance(body.shape, Sphere) else body.shape.extents
         x, y, z, w = (body.state.ori[i] for i in range(4))
-        for name, expected in (('halfSizes', extents), ('orientation', (w, x, y, z)), ('velocity', body.state.vel), ('spin', body.state.angVel)):
+        for name, expected in (('halfSizes', extents), ('orientation', (w, x, y, z)), ('velocity', body.state.vel), ('angVel', body.state.angVel)):
             assert data[name][k] == pytest.approx(tuple(expected), rel=SINGLE, abs=1e-12)
         assert data.points[k] == pytest.approx(tuple(body.state.pos), rel=SINGLE, abs=1e-9)
         assert data['stress'][k] == pytest.approx(stressOf(body).ravel(), rel=1e-5, abs=1e-3)

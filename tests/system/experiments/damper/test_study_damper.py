@@ -98,7 +98,7 @@ def test_badStudies(change, message):
 
 def test_materialFileIsFoundFromTheStudysFolder(tmp_path, monkeypatch):
     """Jobs run in another folder than the command: the plan has the whole path."""
-    from yade.superquadric.materials.library import FOLDER
+    from yade.superquadric.materials.shipped import FOLDER
     (tmp_path / 'own.yaml').write_text(open(os.path.join(FOLDER, 'steel-4340.yaml')).read())
     monkeypatch.chdir(tmp_path)
     plan = planOf(checkedStudy({**STUDY, 'base': {**SMALL, 'material': 'own.yaml'}}))

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from yade.superquadric.materials import file as materialfile
+from yade.superquadric.materials import materialfile
 
 from project import PROJECT
 

@@ -9,7 +9,6 @@ import numpy
 import pandas
 import pytest
 import syntheticstudy
-import yade
 from matplotlib.image import imread
 from scipy import stats
 
@@ -21,7 +20,7 @@ from yade.superquadric.experiments.impact.study import IMPACTS
 from yade.superquadric.study.page import drawStudy
 from yade.superquadric.experiments.quantities import QUANTITIES, counted
 
-from project import LIMIT, PROJECT
+from project import LIMIT, PROJECT, SUPPORT
 
 GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
 VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
@@ -48,10 +47,9 @@ def drawn(tmp_path_factory):
 
 
 def draw(folder, expected=0):
-    done = subprocess.run([sys.executable, PROJECT / 'scripts' / 'study' / 'draw.py', '--plan', folder / 'plan.json', '--table',
+    done = subprocess.run([sys.executable, SUPPORT / 'plainpackage.py', PROJECT / 'scripts' / 'study' / 'draw.py', '--plan', folder / 'plan.json', '--table',
                            folder / 'results.csv', '--records', folder / 'impacts', '--output', folder / 'figures'],
-                          capture_output=True, text=True, timeout=LIMIT,
-                          env={**os.environ, 'PYTHONPATH': os.path.dirname(os.path.dirname(yade.__file__))})
+                          capture_output=True, text=True, timeout=LIMIT, env={**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)})
     assert done.returncode == expected, done.stderr
     return done
 
