@@ -9,6 +9,7 @@ SI units everywhere; z points up.
 """
 import importlib
 
+from .renamed import oldNames
 from .version import __version__
 
 # Where each name is defined. It is imported when it is first asked for, so that what needs no YADE (statistics, files, studies) can be
@@ -18,10 +19,10 @@ _HANDED_ON = {
     'experiments.impact.run': ('ImpactRun',),
     'materials.elastoplastic': ('elastoplasticMat',),
     'measure.bed': ('measureBed',),
-    'measure.frame': ('Frame',),
+    'measure.scenesnapshot': ('SceneSnapshot',),
     'measure.snapshot': ('Snapshot',),
     'mesh.packing': ('Measured', 'packingFraction', 'solidVolume'),
-    'mesh.stl': ('Surface', 'particlesToStl', 'readSurface', 'stlContainer', 'writeStl'),
+    'mesh.stl': ('TriangleMesh', 'particlesToStl', 'readStl', 'stlContainer', 'writeStl'),
     'mesh.tessellation': ('Tessellation', 'tessellation'),
     'pictures.render': ('animation', 'picture'),
     'scene.bodies': ('superquadric',),
@@ -38,11 +39,16 @@ _HANDED_ON = {
     'vtk.recorder': ('vtkRecorder',),
 }
 _MODULES = {  # handed on whole
-    'film': 'pictures.film', 'parallel': 'scene.parallel', 'plots': 'experiments.impact.forceplot', 'regions': 'mesh.regions',
-    'render': 'pictures.render', 'view': 'pictures.view'}
+    'parallel': 'scene.parallel', 'plots': 'experiments.impact.forceplot', 'regions': 'mesh.regions',
+    'render': 'pictures.render', 'snapshotrecorder': 'pictures.snapshotrecorder', 'view': 'pictures.view'}
+# Names of version 0.1, and what they are called now.
+_RENAMED = {'Frame': 'SceneSnapshot', 'Surface': 'TriangleMesh', 'readSurface': 'readStl', 'film': 'snapshotrecorder'}
 _PLACES = {name: module for module, names in _HANDED_ON.items() for name in names}
 
 __all__ = [*sorted(_PLACES), *sorted(_MODULES), '__version__']
+
+
+_oldName = oldNames(__name__, _RENAMED)
 
 
 def __getattr__(name):
@@ -51,7 +57,7 @@ def __getattr__(name):
     elif name in _PLACES:
         value = getattr(importlib.import_module(f'.{_PLACES[name]}', __name__), name)
     else:
-        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+        return _oldName(name)
     globals()[name] = value
     return value
 

@@ -15,7 +15,7 @@ os.environ['OPENBLAS_NUM_THREADS'] = '1'   # the same bit for bit, and no waitin
 
 from yade.superquadric import checks
 from yade.superquadric.plasticity import cases
-from yade.superquadric.materials import file as materialfile
+from yade.superquadric.materials import materialfile
 from yade.superquadric.plasticity.contact import NotConverged
 from yade.superquadric.plasticity.identify import Identification
 

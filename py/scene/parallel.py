@@ -236,13 +236,13 @@ class Totals:
 
     def record(self):
         """Called on all ranks in the same step."""
-        mine = rank()
-        states = [body.state for body in O.bodies if body.subdomain == mine and not body.isSubdomain and body.dynamic]
+        own = rank()
+        states = [body.state for body in O.bodies if body.subdomain == own and not body.isSubdomain and body.dynamic]
         momentum = sum((state.mass * state.vel for state in states), Vector3.Zero)
         parts = [(len(states), tuple(momentum), dict(O.energy.items()))]
         if O.splitted:
             parts = _mpy().comm.gather(parts[0], root=0)
-        if mine:
+        if own:
             return
         numbers, momenta, energies = zip(*parts)
         force = sum((O.forces.f(support) for support in self.supports), Vector3.Zero)

@@ -8,7 +8,7 @@ from yade.wrapper import PyRunner
 from .. import checks
 from . import polydata
 from ..scene.bodies import present
-from ..measure.frame import Frame
+from ..measure.scenesnapshot import SceneSnapshot
 from ..mesh.surfaces import DETAIL
 from .series import Series
 
@@ -58,11 +58,11 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
 
 def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
-    frame = Frame.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
-    data = {'particles': lambda: polydata.particleData(frame), 'surfaces': lambda: polydata.surfaceData(frame, detail, normals),
-            'contacts': lambda: polydata.contactData(frame), 'container': lambda: polydata.containerData(frame)}
+    snapshot = SceneSnapshot.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
+    data = {'particles': lambda: polydata.particleData(snapshot), 'surfaces': lambda: polydata.surfaceData(snapshot, detail, normals),
+            'contacts': lambda: polydata.contactData(snapshot), 'container': lambda: polydata.containerData(snapshot)}
     for series in _series(folder, {'surfaces': surfaces, 'contacts': contacts, 'container': container}):
-        series.append(frame.step, frame.time, lambda path, make=data[series.name]: polydata.write(path, make()))
+        series.append(snapshot.step, snapshot.time, lambda path, make=data[series.name]: polydata.write(path, make()))
 
 
 def _series(folder, wanted):

@@ -50,7 +50,7 @@ def touches(snapshot, box):
 
 
 def boxMesh(box):
-    return Mesh(sq.Surface([[(box.low, box.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)], BOX_TRIANGLES, 'box'))
+    return Mesh(sq.TriangleMesh([[(box.low, box.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)], BOX_TRIANGLES, 'box'))
 
 
 @fuzz(weight=3, solids=st.lists(solid, min_size=1, max_size=3), scale=size, low=corner, high=corner, axis=st.integers(0, 2),

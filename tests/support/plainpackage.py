@@ -3,7 +3,7 @@
     python3 tests/support/plainpackage.py SCRIPT [ARGUMENT]...    a script with this package where there is no YADE
 """
 import importlib.util
-import runpy
+import os
 import sys
 from types import ModuleType
 
@@ -35,7 +35,16 @@ def provideWhereMissing():
         provide()
 
 
+def environment():
+    """Of a program that is to find the same `yade` as this one, if there is one."""
+    import yade
+    folder = {} if getattr(yade, '__file__', None) is None else {'PYTHONPATH': os.path.dirname(os.path.dirname(yade.__file__))}
+    return {**os.environ, **folder}
+
+
 if __name__ == '__main__':
     del sys.argv[0]
     provideWhereMissing()
-    runpy.run_path(sys.argv[0], run_name='__main__')
+    # Not runpy: YADE's C++ looks into __main__, which must stay the real one.
+    with open(sys.argv[0], encoding='utf-8') as script:
+        exec(compile(script.read(), sys.argv[0], 'exec'))

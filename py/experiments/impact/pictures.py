@@ -4,7 +4,7 @@ import os
 from ...pictures import attempt, render, renderer
 from . import forceplot
 from ...vtk import recorder
-from ...pictures.film import Film, removeFrames
+from ...pictures.snapshotrecorder import SnapshotRecorder, removeSnapshots
 from .impactor import Pulse
 from .parameters import shapeOf
 
@@ -16,16 +16,16 @@ MOST = 60          # frames of the animation
 
 
 def film(run):
-    """The `Film` of the impact of a `run` (`ImpactRun`), None where none is wanted."""
+    """The `SnapshotRecorder` of the impact of a `run` (`ImpactRun`), None where none is wanted."""
     drawn = run.pictures and renderer.missing() is None
     if not drawn and not run.state.get('vtk'):
         return None
-    return Film(run.path(FRAMES) if drawn else None, run.path(SERIES) if run.state.get('vtk') else None, run.state['startTime'], PERIOD)
+    return SnapshotRecorder(run.path(FRAMES) if drawn else None, run.path(SERIES) if run.state.get('vtk') else None, run.state['startTime'], PERIOD)
 
 
 def removeOld(run):
     """Remove the frames and the series that an earlier run left in the folder."""
-    removeFrames(run.path(FRAMES))
+    removeSnapshots(run.path(FRAMES))
     recorder.remove(run.path(SERIES))
 
 
@@ -42,9 +42,9 @@ def draw(run):
     title = f'{len(run.ids)} particles ({_describe(p)}), thickness {1e3 * state["bed"]["thickness"]:.1f} mm'
     record, bare = (run.recorder.column('time'), run.recorder.column('baseForce')), (state['bare']['times'], state['bare']['forces'])
     attempt.attempt(run, 'the force', lambda: forceplot.forcePicture(run.path(FORCE), record, pulse, state['staticForce'], bare, title))
-    frames = [] if run.film is None else run.film.frames()
+    frames = [] if run.film is None else run.film.snapshots()
     if not len(frames) or attempt.attempt(run, 'the particles', lambda: _drawParticles(run, frames, pulse, title)):
-        removeFrames(run.path(FRAMES))
+        removeSnapshots(run.path(FRAMES))
 
 
 def _drawParticles(run, frames, pulse, title):

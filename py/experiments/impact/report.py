@@ -1,7 +1,7 @@
 """The results of a finished run: summary and time series."""
 from yade import O
 
-from ...pictures import film
+from ...pictures import snapshotrecorder
 from ...runs import finishedbed
 from . import pictures
 from ...files import results
@@ -24,7 +24,7 @@ def write(run):
     if run.pictures:
         pictures.draw(run)
     else:
-        film.removeFrames(run.path(pictures.FRAMES))
+        snapshotrecorder.removeSnapshots(run.path(pictures.FRAMES))
     return content
 
 

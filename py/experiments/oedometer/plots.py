@@ -3,7 +3,7 @@ import numpy as np
 
 from ...measure import contactstatistics
 from ...pictures import render
-from ...measure.frame import Frame
+from ...measure.scenesnapshot import SceneSnapshot
 from ...pictures.style import COLOURS, newFigure, outerLegend, save
 
 FORCE_EDGES = np.linspace(0, 5, 41)     # bins of a particle's mean contact force, over the mean
@@ -93,4 +93,4 @@ def contacts(path, cases):
 
 def specimens(path, views, container):
     """The specimen from the side, its front half taken away: a panel for each (caption, `Snapshot`)."""
-    render.picture(path, [(caption, Frame.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)
+    render.picture(path, [(caption, SceneSnapshot.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)

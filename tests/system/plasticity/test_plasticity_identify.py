@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from yade.superquadric.plasticity import cases, fit
-from yade.superquadric.materials import file as materialfile
+from yade.superquadric.materials import materialfile
 from yade.superquadric.plasticity.identify import Identification
 
 from project import LIMIT, PROJECT

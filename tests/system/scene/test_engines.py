@@ -62,9 +62,9 @@ def test_stiffnessOfOtherLawsStaysAsItIs(material):
                         [Law2_ScGeom_FrictPhys_CundallStrack(), Law2_ScGeom_CurvaturePhys_HertzMindlin()])]
     O.dt = 1e-9
     O.step()
-    ours, others = O.interactions[0, 1].phys, O.interactions[2, 3].phys
-    before = ours.effectiveModulus, others.kn, others.ks
+    curvature, others = O.interactions[0, 1].phys, O.interactions[2, 3].phys
+    before = curvature.effectiveModulus, others.kn, others.ks
     sq.scaleStiffness(10)
-    assert ours.effectiveModulus == pytest.approx(10 * before[0])
+    assert curvature.effectiveModulus == pytest.approx(10 * before[0])
     assert (others.kn, others.ks) == before[1:]
     assert (material.young, linear.young) == (pytest.approx(1e10), 1e7)

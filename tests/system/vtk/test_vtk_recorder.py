@@ -11,7 +11,7 @@ from yade.wrapper import CurvatureMat, Facet, HollowCylinder, Sphere, Superquadr
 import yade.superquadric as sq
 from yade.superquadric.measure import bodyarrays
 from yade.superquadric.vtk import polydata, recorder
-from yade.superquadric.measure.frame import Frame
+from yade.superquadric.measure.scenesnapshot import SceneSnapshot
 from yade.superquadric.vtk.recorded import RecordedSeries
 from yade.superquadric.vtk.series import Series
 
@@ -126,7 +126,7 @@ def test_seriesIsInTheOrderOfTime(recorded):
 
 
 def test_recordedFramesAreTheScene(recorded):
-    frames, now = RecordedSeries(str(recorded)), Frame.ofScene()
+    frames, now = RecordedSeries(str(recorded)), SceneSnapshot.ofScene()
     read = frames[-1]
     assert (read.step, read.time) == (O.iter, O.time) and len(frames[1:3]) == 2
     for table in ('particles', 'contacts', 'container'):

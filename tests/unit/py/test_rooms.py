@@ -12,7 +12,8 @@ PY, PKG = PROJECT / 'py', PROJECT / 'pkg'
 PY_ROOMS = {
     'version': (),
     'checks': (),
-    '__init__': ('version',),
+    'renamed': (),
+    '__init__': ('version', 'renamed'),
     'statistics': (),
     'files': ('checks',),
     'scene': ('checks',),
@@ -21,7 +22,7 @@ PY_ROOMS = {
     'materials': ('checks', 'files'),
     'mesh': ('checks', 'files', 'scene', 'measure'),
     'vtk': ('checks', 'files', 'scene', 'measure', 'mesh'),
-    'pictures': ('checks', 'files', 'measure', 'mesh', 'vtk'),
+    'pictures': ('checks', 'renamed', 'files', 'measure', 'mesh', 'vtk'),
     'experiments': ('scene', 'runs'),
     'experiments/impact': ('checks', 'statistics', 'files', 'scene', 'measure', 'runs', 'vtk', 'pictures', 'experiments'),
     'experiments/damper': ('checks', 'statistics', 'files', 'scene', 'runs', 'materials', 'pictures', 'experiments'),

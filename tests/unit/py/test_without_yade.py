@@ -15,7 +15,7 @@ OF_YADE = {
     'experiments.impact.report', 'experiments.impact.run', 'experiments.impact.study',
     'experiments.oedometer.case', 'experiments.oedometer.comparison', 'experiments.oedometer.curves', 'experiments.oedometer.parameters',
     'experiments.oedometer.record', 'experiments.oedometer.report', 'experiments.oedometer.run', 'experiments.oedometer.study',
-    'materials.elastoplastic', 'measure.scenearrays', 'mesh.packing', 'mesh.regions', 'mesh.stl', 'pictures.film',
+    'materials.elastoplastic', 'measure.scenearrays', 'mesh.packing', 'mesh.regions', 'mesh.stl', 'pictures.snapshotrecorder',
     'runs.checkpoint', 'runs.finishedbed', 'runs.onbed', 'runs.staged', 'runs.versions',
     'scene.bodies', 'scene.engines', 'scene.filling', 'scene.parallel', 'scene.settling', 'scene.stepping', 'scene.walls',
     'study.experiments', 'study.page', 'study.plan', 'study.studyfile', 'study.table',

@@ -7,6 +7,7 @@ import sys
 
 import numpy
 import pandas
+import plainpackage
 import pytest
 import syntheticstudy
 from matplotlib.image import imread
@@ -49,7 +50,7 @@ def drawn(tmp_path_factory):
 def draw(folder, expected=0):
     done = subprocess.run([sys.executable, SUPPORT / 'plainpackage.py', PROJECT / 'scripts' / 'study' / 'draw.py', '--plan', folder / 'plan.json', '--table',
                            folder / 'results.csv', '--records', folder / 'impacts', '--output', folder / 'figures'],
-                          capture_output=True, text=True, timeout=LIMIT, env={**os.environ, 'PYTHONPATH': os.pathsep.join(sys.path)})
+                          capture_output=True, text=True, timeout=LIMIT, env=plainpackage.environment())
     assert done.returncode == expected, done.stderr
     return done
 

@@ -7,7 +7,7 @@ from .. import checks
 from ..files.wholefile import ReplacingBytes
 
 
-class Frame:
+class SceneSnapshot:
     """One moment.
 
     :ivar step: O.iter; :ivar time: O.time [s]
@@ -52,7 +52,7 @@ class Frame:
 
     @classmethod
     def load(cls, path):
-        """The frame in the file that `save` wrote.
+        """The snapshot in the file that `save` wrote.
 
         :raises ValueError: naming the file, which holds something else
         """
@@ -78,8 +78,8 @@ class Frame:
         order = np.argsort(ids)
         for name in ('id1', 'id2'):
             place = order[np.searchsorted(ids, self.contacts[name], sorter=order).clip(max=len(ids) - 1)]
-            mine = ids[place] == self.contacts[name]
-            np.maximum.at(result, place[mine], forces[mine])
+            here = ids[place] == self.contacts[name]
+            np.maximum.at(result, place[here], forces[here])
         return result
 
     def box(self):
