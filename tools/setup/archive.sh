@@ -11,26 +11,34 @@ apt_in() {
     -o "APT::Sandbox::User=$(id -un)" -o Acquire::Languages=none)
 }
 
-# repositories: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distribution's own
-# archive that this machine uses (third parties' archives are left out by their Origin).
+# distributions: this machine's own one and those that it derives from, by their names in /etc/os-release.
+distributions() { (. /etc/os-release && echo "$ID ${ID_LIKE:-}"); }
+
+# repositories DISTRIBUTION...: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distributions'
+# archives that this machine uses (third parties' archives are left out by their Origin).
 repositories() {
-  local distribution
-  distribution=$(. /etc/os-release && echo "$ID")
   apt-get "${aptOptions[@]}" indextargets 'Created-By: Packages' \
     --format '$(ORIGIN)|$(REPO_URI)|$(RELEASE)|$(CODENAME)|$(COMPONENT)|$(SIGNED_BY)' |
-    awk -F'|' -v want="$distribution" 'tolower($1) == want {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+    awk -F'|' -v want=" $* " 'index(want, " " tolower($1) " ") {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+}
+
+# own_repositories: those of this machine's distribution.
+own_repositories() {
+  local names
+  read -ra names <<<"$(distributions)"
+  repositories "${names[@]}"
 }
 
 # own_lists: point `aptOptions` to lists that know this machine's archives: the machine's own ones where
 # they are filled (containers often come without), else fresh ones in the cache.
 own_lists() {
   aptOptions=()
-  [ -n "$(repositories)" ] && return
+  [ -n "$(own_repositories)" ] && return
   apt_in "$cache/apt/machine"
-  [ -n "$(repositories)" ] && return
+  [ -n "$(own_repositories)" ] && return
   say "asking this machine's package archives what they have (its own lists are empty)"
   apt-get "${aptOptions[@]}" update >&2 || die "apt-get update failed: see its messages above."
-  [ -n "$(repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
+  [ -n "$(own_repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
     "Add one, or name a file of Debian $debianSuite's sources in the variable YADE_APT_SOURCES."
 }
 
@@ -39,11 +47,11 @@ yade_candidate() {
   apt-cache "${aptOptions[@]}" policy yade 2>/dev/null | sed -n 's/^  Candidate: \([0-9].*\)/\1/p'
 }
 
-# keyring SIGNED_BY: the `[signed-by=...]` option with the key of the machine's own entry, or
+# keyring SIGNED_BY DISTRIBUTION: the `[signed-by=...]` option with the key of the machine's own entry, or
 # with the distribution's keyring where apt does not tell.
 keyring() {
   local file
-  for file in "$1" /usr/share/keyrings/{debian,ubuntu}-archive-keyring.{pgp,gpg}; do
+  for file in "$1" "/usr/share/keyrings/$2-archive-keyring".{pgp,gpg}; do
     if [ -f "$file" ]; then
       echo "[signed-by=$file]"
       return
@@ -51,25 +59,41 @@ keyring() {
   done
 }
 
-# source_lines TYPE SUITE: the machine's archives as lines of a sources.list for a suite. Where the suite
-# is not the machine's own, its name takes the place of the machine's codename; only the release
-# itself, its updates and its security fixes are kept.
-source_lines() {
-  local type=$1 suite=$2 uri release codename component signedBy
-  if [ -n "${YADE_APT_SOURCES:-}" ]; then
-    sed -n "s/^deb /$type /p" "$YADE_APT_SOURCES"
-    return
-  fi
-  repositories | while read -r uri release codename component signedBy; do
+# own_lines TYPE: this machine's archives as lines of a sources.list.
+own_lines() {
+  local uri release component signedBy
+  own_repositories | while read -r uri release _ component signedBy; do
+    echo "$1 $(keyring "$signedBy" "$(distributions | cut -d' ' -f1)") $uri $release $component"
+  done
+}
+
+# debian_lines TYPE SUITE: Debian's archives as this machine knows them, with the suite's name in the place of the codename; only the
+# release itself, its updates and its security fixes are kept. A machine that knows none (Ubuntu, say) takes Debian's public name.
+debian_lines() {
+  local type=$1 suite=$2 known uri release codename component signedBy
+  known=$(repositories debian)
+  [ -n "$known" ] || known="http://deb.debian.org/debian stable stable main -"
+  while read -r uri _ codename component signedBy; do
     case $codename in
       *-*) release=$suite-${codename#*-} ;;
       *) release=$suite ;;
     esac
     case $release in
       "$suite" | "$suite-updates" | "$suite-security")
-        echo "$type $(keyring "$signedBy") $uri $release $component" ;;
+        echo "$type $(keyring "$signedBy" debian) $uri $release $component" ;;
     esac
-  done | sort -u
+  done <<<"$known"
+}
+
+# source_lines TYPE SUITE: where the suite's packages (TYPE deb) or sources (deb-src) are, as lines of a sources.list.
+source_lines() {
+  if [ -n "${YADE_APT_SOURCES:-}" ]; then
+    sed -n "s/^deb /$1 /p" "$YADE_APT_SOURCES"
+  elif [ "$2" = "$(machine_suite)" ]; then
+    own_lines "$1"
+  else
+    debian_lines "$1" "$2" | sort -u
+  fi
 }
 
 # suite_lists SUITE: write the suite's source archive list, point `aptOptions` to it and fetch its index.

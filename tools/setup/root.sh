@@ -6,6 +6,7 @@
 root_tools() {
   local missing tools=(mmdebstrap bubblewrap)
   [ "$(id -u)" -eq 0 ] || tools+=(uidmap)
+  [ -n "${YADE_APT_SOURCES:-}" ] || tools+=(debian-archive-keyring)
   mapfile -t missing < <(missing_packages "${tools[@]}")
   [ "${#missing[@]}" -eq 0 ] ||
     as_root "YADE >= $minimumYade is not in this system; the tools to make a Debian $debianSuite folder are needed" \
@@ -13,6 +14,15 @@ root_tools() {
   [ "$(id -u)" -eq 0 ] || grep -qs "^$(id -un):" /etc/subuid ||
     die "this account has no subordinate user ids (/etc/subuid). Please ask the administrator for:" \
       "usermod --add-subuids 100000-165535 --add-subgids 100000-165535 $(id -un)"
+  bwrap --ro-bind / / --proc /proc --dev /dev true ||
+    die "bubblewrap may not make namespaces here, see its message above (Ubuntu 24.04 keeps them from ordinary users)." \
+      "There, please ask the administrator for: sysctl kernel.apparmor_restrict_unprivileged_userns=0"
+}
+
+# archive_files: write down for mmdebstrap where the suite's packages are, and how this machine fetches (through a proxy, say).
+archive_files() {
+  source_lines deb "$debianSuite" >"$cache/root.list"
+  apt-config dump Acquire >"$cache/root.conf"
 }
 
 # root_with PACKAGE...: a finished root of the suite that has all of the packages, or nothing.
@@ -34,8 +44,8 @@ make_root() {
   local target=$1 work=$1.tmp packages options
   packages=$(cat)
   rm -rf --one-file-system "$work" || die "cannot remove the unfinished $work"
-  source_lines deb "$debianSuite" >"$cache/root.list"
-  options=(--variant=minbase "--include=$(paste -sd, <<<"$packages")"
+  archive_files
+  options=(--variant=minbase "--aptopt=$cache/root.conf" "--include=$(paste -sd, <<<"$packages")"
     --dpkgopt=force-unsafe-io '--dpkgopt=path-exclude=/usr/share/man/*' '--dpkgopt=path-exclude=/usr/share/locale/*'
     '--dpkgopt=path-exclude=/usr/share/doc/*' '--dpkgopt=path-include=/usr/share/doc/*/copyright'
     --customize-hook='touch "$1/etc/resolv.conf" "$1/etc/hosts"'
