@@ -2,6 +2,9 @@
 # carries its include paths, macros and libraries.
 include(YadeFeatures)
 
+if(NOT "$ENV{YADE_EXECUTABLE}" STREQUAL "")
+  set(YADE_EXECUTABLE "$ENV{YADE_EXECUTABLE}" CACHE FILEPATH "The YADE that will load the plugin")
+endif()
 find_program(YADE_EXECUTABLE NAMES yade-double yade REQUIRED)
 
 # Without YADE_PREFIX, so that a shell inside `tools/env` describes the installed YADE, not the overlay.

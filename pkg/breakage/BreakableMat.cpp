@@ -15,9 +15,9 @@ void BreakableMat::check() const
 	requireNotNegative("smallestSize", smallestSize);
 }
 
-std::vector<Real*> BreakableMat::parameters()
+AcceptedAttributes::References BreakableMat::checkedAttributes()
 {
-	auto all = ElastoplasticMat::parameters();
+	auto all = ElastoplasticMat::checkedAttributes();
 	for (Real* own : { &characteristicStrength, &referenceSize, &weibullModulus, &smallestSize })
 		all.push_back(own);
 	return all;

@@ -23,7 +23,7 @@ public:
 
 protected:
 	void check() const override;
-	std::vector<Real*> parameters() override;
+	AcceptedAttributes::References checkedAttributes() override;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(BreakableMat, ElastoplasticMat,

@@ -1,16 +1,16 @@
 // What a breakable particle carries: its own strength and where it comes from.
 #pragma once
 
-#include <core/State.hpp>
+#include <pkg/contact/BirthState.hpp>
 
 namespace yade {
 
-class BreakableState : public State {
+class BreakableState : public BirthState {
 public:
 	~BreakableState() override = default;
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BreakableState, State,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR(BreakableState, BirthState,
 		"State of a body of :yref:`BreakableMat`, made with it. :yref:`BreakageEngine` draws the strength when it first sees the body; ids are never "
 			"used twice in a scene, so that ancestry can be followed.",
 		((Real, strength, NaN, , "Of this particle, in the measure of :yref:`BreakageEngine.criterion` [Pa]; positive, infinite: never breaks; NaN: "
@@ -23,7 +23,7 @@ public:
 		, createIndex();
 	);
 	// clang-format on
-	REGISTER_CLASS_INDEX(BreakableState, State);
+	REGISTER_CLASS_INDEX(BreakableState, BirthState);
 };
 REGISTER_SERIALIZABLE(BreakableState);
 

@@ -32,17 +32,9 @@ namespace {
 	}
 }
 
-BreakageEngine::Parameters BreakageEngine::parameters() const { return { criterion, mode, cutExponent, smallestFragment, inertialSize, maxEvents, seed }; }
-
-void BreakageEngine::put(const Parameters& values)
+AcceptedAttributes::References BreakageEngine::checkedAttributes()
 {
-	criterion = values.criterion;
-	mode = values.mode;
-	cutExponent = values.cutExponent;
-	smallestFragment = values.smallestFragment;
-	inertialSize = values.inertialSize;
-	maxEvents = values.maxEvents;
-	seed = values.seed;
+	return { &criterion, &mode, &cutExponent, &smallestFragment, &inertialSize, &maxEvents, &seed };
 }
 
 void BreakageEngine::check() const
@@ -59,19 +51,13 @@ void BreakageEngine::check() const
 
 void BreakageEngine::postLoad(BreakageEngine&)
 {
-	try {
-		check();
-	} catch (const std::invalid_argument&) {
-		put(accepted);
-		throw;
-	}
-	accepted = parameters();
+	accepted.accept(checkedAttributes(), [this] { check(); });
 }
 
 void BreakageEngine::action()
 {
 	checkOrder();
-	letGo();
+	releaseErased();
 	std::vector<Event> events = collect();
 	const auto firstToWait = std::partition_point(events.begin(), events.end(), [](const Event& event) { return event.forced; });
 	const auto byExcess = [](const Event& a, const Event& b) { return a.value / a.parent.state->strength > b.value / b.parent.state->strength; };
@@ -80,14 +66,13 @@ void BreakageEngine::action()
 	events.erase(events.end() - left, events.end());
 	if (!events.empty()) checkLaws();
 	const std::vector<fragments::Pieces> pieces = cutAll(events);
-	if (!events.empty()) noteBirths(scene->bodies->size());
 	waiting = int(left);
 	forced.clear();
 	for (std::size_t i = 0; i < events.size(); ++i)
 		breakUp(events[i], pieces[i]);
 }
 
-void BreakageEngine::letGo()
+void BreakageEngine::releaseErased()
 {
 	if (gone.empty()) return;
 	const gilLock lock;
@@ -143,22 +128,22 @@ std::optional<BreakableParticle> BreakageEngine::candidate(Body& body)
 Real BreakageEngine::volumeOf(const Body& body)
 {
 	if (const auto* sphere = dynamic_cast<const Sphere*>(body.shape.get())) return 4. / 3 * Mathr::PI * std::pow(sphere->radius, 3);
-	const auto* ours = dynamic_cast<const Superquadric*>(body.shape.get());
-	if (!ours) return 0;
+	const auto* block = dynamic_cast<const Superquadric*>(body.shape.get());
+	if (!block) return 0;
 	if (mode != "cube") refuse("mode", "'cube' where superquadrics can break", mode);
 	if (volumes.size() < scene->bodies->size()) volumes.resize(scene->bodies->size(), { 0, 0 });
 	auto& [fingerprint, volume] = volumes[body.getId()];
-	if (volume == 0 || fingerprint != ours->solid().fingerprint()) {
-		fingerprint = ours->solid().fingerprint();
-		volume = ours->volume();
+	if (volume == 0 || fingerprint != block->solid().fingerprint()) {
+		fingerprint = block->solid().fingerprint();
+		volume = block->volume();
 	}
 	return volume;
 }
 
 fragments::Least BreakageEngine::least(const Body& body, Real size) const
 {
-	const auto* ours = dynamic_cast<const Superquadric*>(body.shape.get());
-	if (ours) return { 0, smallestFragment / 2 * ours->solid().inverseHalfSizes() }; // wider than that it is larger, too
+	const auto* block = dynamic_cast<const Superquadric*>(body.shape.get());
+	if (block) return { 0, smallestFragment / 2 * block->solid().inverseHalfSizes() }; // wider than that it is larger, too
 	return { std::pow(smallestFragment / size, 3), Vector3r::Zero() };
 }
 
@@ -210,7 +195,7 @@ void BreakageEngine::breakUp(const Event& event, const fragments::Pieces& pieces
 
 	std::vector<shared_ptr<Body>> born;
 	for (std::size_t i = 0; i < pieces.size(); ++i) {
-		born.push_back(fragmentOf(*parent.body, shape, pieces[i], layout.offsets[i], layout.spin));
+		born.push_back(fragmentOf(*parent.body, shape, pieces[i], layout.offsets[i], layout.spin, scene->iter));
 		addInertia(*born.back(), factor);
 	}
 	const Real spinLoss = before.spinEnergy() - layout.spinEnergy;
@@ -224,29 +209,16 @@ void BreakageEngine::breakUp(const Event& event, const fragments::Pieces& pieces
 	scene->energy->add(stored + spinLoss, "breakage", entry, /*reset*/ false);
 }
 
-// The functors of the contact law.
-std::vector<LawFunctor*> BreakageEngine::laws() const
-{
-	std::vector<LawFunctor*> all;
-	for (const auto& engine : scene->engines)
-		if (const auto* loop = dynamic_cast<const InteractionLoop*>(engine.get()))
-			for (const auto& functor : loop->lawDispatcher->functors)
-				all.push_back(functor.get());
-	return all;
-}
-
 // A law that knows nothing of births would let fragments fly apart: there must be none of them.
 void BreakageEngine::checkLaws() const
 {
-	for (LawFunctor* law : laws())
-		if (!dynamic_cast<CurvatureLaw*>(law))
-			throw std::invalid_argument("BreakageEngine: " + law->getClassName() + " cannot hold fragments that overlap at birth; use a law on the local curvature");
-}
-
-void BreakageEngine::noteBirths(Body::id_t first) const
-{
-	for (LawFunctor* law : laws())
-		static_cast<CurvatureLaw*>(law)->noteBirths(scene->iter, first);
+	for (const auto& engine : scene->engines) {
+		const auto* loop = dynamic_cast<const InteractionLoop*>(engine.get());
+		if (!loop) continue;
+		for (const auto& law : loop->lawDispatcher->functors)
+			if (!dynamic_cast<const CurvatureLaw*>(law.get()))
+				throw std::invalid_argument("BreakageEngine: " + law->getClassName() + " cannot hold fragments that overlap at birth; use a law on the local curvature");
+	}
 }
 
 // A fragment has been made with its share of its parent's mass.

@@ -6,13 +6,12 @@
 #include <core/Scene.hpp>
 #include <pkg/common/PeriodicEngines.hpp>
 #include <pkg/mechanics/FragmentMotion.hpp>
+#include <pkg/support/AcceptedAttributes.hpp>
 
 #include <optional>
 #include <vector>
 
 namespace yade {
-
-class LawFunctor;
 
 class BreakageEngine : public PeriodicEngine {
 public:
@@ -25,11 +24,6 @@ public:
 	boost::python::list events() const;
 
 private:
-	struct Parameters {
-		std::string criterion, mode;
-		Real cutExponent, smallestFragment, inertialSize;
-		int maxEvents, seed;
-	};
 	// A particle that breaks.
 	struct Event {
 		BreakableParticle parent;
@@ -37,10 +31,9 @@ private:
 		bool forced;
 	};
 
-	Parameters parameters() const;
-	void put(const Parameters& values);
+	AcceptedAttributes::References checkedAttributes();
 	void check() const;
-	void letGo();
+	void releaseErased();
 	void checkOrder() const;
 
 	std::vector<Event> collect();
@@ -51,14 +44,12 @@ private:
 	std::vector<superquadric::fragments::Pieces> cutAll(const std::vector<Event>& events);
 	superquadric::fragments::Pieces cut(const BreakableParticle& parent, int& even) const;
 	void breakUp(const Event& event, const superquadric::fragments::Pieces& pieces);
-	std::vector<LawFunctor*> laws() const;
 	void checkLaws() const;
-	void noteBirths(Body::id_t first) const;
 	void addInertia(Body& fragment, Real parentFactor) const;
 	void checkFragments(const BreakableMat& material, const superquadric::Shape& shape, const superquadric::fragments::Pieces& pieces) const;
 	void log(const Event& event, const superquadric::fragments::Pieces& pieces, Real elasticLoss, Real spinLoss);
 
-	Parameters accepted;
+	AcceptedAttributes accepted;
 	// What has been erased since the last call. Bodies made by Python, and their shapes, which the contact loop holds for one more step, must be let
 	// go with Python's lock.
 	std::vector<shared_ptr<Body>> gone;
@@ -73,7 +64,7 @@ private:
 		"It goes first into O.engines, before the collider: it judges by the contacts of the step before, and its fragments take part in the step at "
 			"once. By default it is called at every step (iterPeriod = 1, initRun = True). "
 		"The contact law must be one on the local curvature (:yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, "
-			":yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`): contacts in which fragments are born start without force, see "
+			":yref:`Law2_ScGeom_ElastoplasticPhys_LoadingUnloading`): contacts in which fragments are born start without force, see "
 		":yref:`CurvaturePhys.restOverlap`.\n\n"
 		"Strengths and cuts are drawn from seed and the particle's id alone: a run repeats, also from a saved scene. A value that is refused raises "
 			"ValueError naming the parameter and the value; the engine then stays as it was.",
@@ -114,7 +105,7 @@ private:
 		((std::vector<int>, childNumbers, , Attr::readonly, "Number of its fragments."))
 		((std::vector<int>, childIds, , Attr::readonly, "Ids of all fragments, event after event."))
 		((std::vector<Real>, childSizes, , Attr::readonly, "Their sizes [m]."))
-		, iterPeriod = 1; initRun = true; accepted = parameters();,
+		, iterPeriod = 1; initRun = true; accepted.remember(checkedAttributes());,
 		.def("events", &BreakageEngine::events, "All events so far, as a list of dicts: time [s], step, parent (id), generation, size [m], value and "
 			"strength [Pa], elasticLoss and spinLoss [J], children (ids), childSizes [m].")
 	);

@@ -20,11 +20,11 @@ namespace {
 			ball->radius = part.smallestHalfSize();
 			shape = ball;
 		} else {
-			const shared_ptr<Superquadric> ours(new Superquadric);
-			ours->n1 = part.n1();
-			ours->n2 = part.n2();
-			ours->setExtents(part.halfSizes());
-			shape = ours;
+			const shared_ptr<Superquadric> block(new Superquadric);
+			block->n1 = part.n1();
+			block->n2 = part.n2();
+			block->setExtents(part.halfSizes());
+			shape = block;
 		}
 		shape->color = old.color;
 		shape->wire = old.wire;
@@ -33,7 +33,8 @@ namespace {
 	}
 }
 
-shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, const fragments::Piece& piece, const Vector3r& offset, const Vector3r& spin)
+shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, const fragments::Piece& piece, const Vector3r& offset, const Vector3r& spin,
+                            long step)
 {
 	const auto& parent = static_cast<const BreakableState&>(*old.state);
 	const superquadric::Shape part(whole.halfSizes().cwiseProduct(piece.scale), whole.n1(), whole.n2());
@@ -56,6 +57,7 @@ shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, c
 	state.blockedDOFs = parent.blockedDOFs;
 	state.isDamped = parent.isDamped;
 	state.densityScaling = parent.densityScaling;
+	state.birthStep = step;
 	state.generation = parent.generation + 1;
 	state.parent = old.getId();
 	state.ancestor = parent.ancestor >= 0 ? parent.ancestor : old.getId();

@@ -10,7 +10,7 @@ namespace yade {
 
 class SuperquadricGeom;
 
-struct Meeting {
+struct ContactKinematics {
 	using Side = superquadric::hertzMindlin::Side;
 	struct Radii {
 		Real effective; // 1/R = 1/R1 + 1/R2, R* of (7) [m]
@@ -20,7 +20,7 @@ struct Meeting {
 	const MovingBody &body1, &body2;
 	Side side1, side2;
 	const ScGeom& geom;
-	const SuperquadricGeom* ours; // the same geometry, if it is ours
+	const SuperquadricGeom* superquadricGeom; // the same geometry, if a superquadric takes part
 	Real overlap; // that the law counts: the geometry's, less what is at rest (CurvaturePhys::restOverlap) [m]
 	Real approach; // speed at which the overlap grows [m/s]
 	Vector3r velocity, sliding; // of body 2 relative to body 1 at the contact, all of it and its tangential part [m/s]
@@ -28,10 +28,10 @@ struct Meeting {
 	// What this process books of the contact's energy: half where another process computes the same contact, across a border of MPI's domains.
 	Real share = 1;
 
-	// Under our geometry.
-	Meeting(const MovingBody& one, const MovingBody& two, const SuperquadricGeom& geom);
-	// Under YADE's, with the sides of flatOrSphere; its contact point is the middle of the overlap already.
-	Meeting(const MovingBody& one, const MovingBody& two, const Side& side1, const Side& side2, const ScGeom& geom);
+	// With a superquadric.
+	ContactKinematics(const MovingBody& one, const MovingBody& two, const SuperquadricGeom& geom);
+	// Of spheres under YADE's geometry, with the sides of flatOrSphere; its contact point is the middle of the overlap already.
+	ContactKinematics(const MovingBody& one, const MovingBody& two, const Side& side1, const Side& side2, const ScGeom& geom);
 
 	// A tangential vector of the last step, turned with the contact; its length stays.
 	Vector3r turned(Vector3r vector) const;

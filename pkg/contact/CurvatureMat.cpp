@@ -14,7 +14,7 @@ Real CurvatureMat::criticalTimeStep(Real minHalfSize) const
 	return superquadric::hertzMindlin::criticalTimeStep(minHalfSize, young, poisson, density);
 }
 
-std::vector<Real*> CurvatureMat::parameters()
+AcceptedAttributes::References CurvatureMat::checkedAttributes()
 {
 	return { &density, &young, &poisson, &frictionAngle, &normalDamping, &tangentialDamping, &rollingFriction };
 }
@@ -32,17 +32,7 @@ void CurvatureMat::check() const
 
 void CurvatureMat::postLoad(CurvatureMat&)
 {
-	const auto current = parameters();
-	try {
-		check();
-	} catch (const std::invalid_argument&) {
-		for (std::size_t i = 0; i < accepted.size(); ++i)
-			*current[i] = accepted[i];
-		throw;
-	}
-	accepted.resize(current.size());
-	for (std::size_t i = 0; i < current.size(); ++i)
-		accepted[i] = *current[i];
+	accepted.accept(checkedAttributes(), [this] { check(); });
 }
 
 } // namespace yade

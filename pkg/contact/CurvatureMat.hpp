@@ -2,8 +2,7 @@
 #pragma once
 
 #include <pkg/common/ElastMat.hpp>
-
-#include <vector>
+#include <pkg/support/AcceptedAttributes.hpp>
 
 namespace yade {
 
@@ -29,10 +28,10 @@ protected:
 	// Throws std::invalid_argument with name and value of what is wrong.
 	virtual void check() const;
 	// All that check() looks at.
-	virtual std::vector<Real*> parameters();
+	virtual AcceptedAttributes::References checkedAttributes();
 
 private:
-	std::vector<Real> accepted;
+	AcceptedAttributes accepted;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(CurvatureMat, FrictMat,

@@ -15,14 +15,19 @@ void ElastoplasticMat::check() const
 {
 	CurvatureMat::check();
 	const auto material = plasticity();
-	superquadric::elastoplastic::check(material);
+	try {
+		superquadric::elastoplastic::check(material);
+	} catch (const std::invalid_argument& error) {
+		if (!(yieldStress > 0 && material.yields())) throw;
+		throw std::invalid_argument(std::string(error.what()) + " (the hardening counts as soon as yieldStress is finite: set both at once)");
+	}
 	if (material.yields() && !(yieldStress < young)) refuse("yieldStress", "below Young's modulus", yieldStress);
 	requireNotNegative("rollingDamping", rollingDamping);
 }
 
-std::vector<Real*> ElastoplasticMat::parameters()
+AcceptedAttributes::References ElastoplasticMat::checkedAttributes()
 {
-	auto all = CurvatureMat::parameters();
+	auto all = CurvatureMat::checkedAttributes();
 	for (Real* own : { &yieldStress, &referenceRadius, &m0, &m1, &m2, &exponent, &smallestRatio, &largestRatio, &rollingDamping })
 		all.push_back(own);
 	return all;

@@ -8,11 +8,11 @@ YADE_PLUGIN((Law2_ScGeom_CurvaturePhys_HertzMindlin));
 
 namespace hm = superquadric::hertzMindlin;
 
-ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys, const Meeting& bodies)
+CurvatureLaw::Load Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys, const ContactKinematics& bodies)
 {
 	const ScGeom& geom = bodies.geom;
-	const Meeting::Radii radius = bodies.radii(overlapLimit);
-	noteMasses(phys, bodies, radius, leverArms);
+	const ContactKinematics::Radii radius = bodies.radii(overlapLimit);
+	setMasses(phys, bodies, radius, effectiveMassAtContact);
 
 	const Response now = response(phys, bodies, radius.smaller);
 	const Real hertz = hm::Pair { phys.effectiveModulus, radius.effective, phys.normalMass }.hertz();
@@ -29,11 +29,11 @@ ContactLoad Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys& phys,
 	phys.shearViscous = now.tangential.viscous;
 	phys.shearEnergy = now.tangential.energy;
 	phys.rollingCouple = now.couple;
-	return loadOf(bodies, phys.normalForce + phys.shearForce, now.couple);
+	return { phys.normalForce + phys.shearForce, now.couple };
 }
 
 Law2_ScGeom_CurvaturePhys_HertzMindlin::Response
-Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, const Meeting& bodies, Real rollingRadius) const
+Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, const ContactKinematics& bodies, Real rollingRadius) const
 {
 	const Real overlap = bodies.overlap;
 	const hm::Pair pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass };
@@ -50,7 +50,7 @@ Law2_ScGeom_CurvaturePhys_HertzMindlin::response(const CurvaturePhys& phys, cons
 
 // Each sum gets the work of its force over the last step, by the mean of the force before and after: with velocities half a step
 // apart from the forces, this is the work that the leap-frog integrator does, to second order.
-void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(const CurvaturePhys& before, const Meeting& bodies, const Response& now, Real hertz)
+void Law2_ScGeom_CurvaturePhys_HertzMindlin::bookEnergy(const CurvaturePhys& before, const ContactKinematics& bodies, const Response& now, Real hertz)
 {
 	energies.find(*scene);
 	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, bodies.share * value); };

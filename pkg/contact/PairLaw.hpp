@@ -9,17 +9,11 @@ namespace yade {
 
 class SuperquadricGeom;
 
-// What a contact does to its two bodies.
-struct ContactLoad {
-	Vector3r force; // on body 2; body 1 gets the opposite [N]
-	Vector3r torque1, torque2; // about the bodies' positions [N m]
-};
-
-class MovingBodiesLaw {
+class PairLaw {
 public:
-	virtual ~MovingBodiesLaw() = default;
-	// Of two bodies that touch; updates the physics. May run in several threads, on different contacts.
-	virtual ContactLoad load(SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2) = 0;
+	virtual ~PairLaw() = default;
+	// Two bodies that touch get their forces, the contact its physics. May run in several threads, on different contacts.
+	virtual void act(const SuperquadricGeom& geom, IPhys& phys, const MovingBody& body1, const MovingBody& body2) = 0;
 };
 
 } // namespace yade

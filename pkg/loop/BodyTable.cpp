@@ -49,19 +49,19 @@ bool BodyTable::refresh(Body::id_t id, const shared_ptr<Body>& body, const Scene
 	const bool changed = !isOf(row.shape, shape);
 	if (changed) {
 		row.shape = shape;
-		row.ours = dynamic_cast<const Superquadric*>(shape.get());
+		row.particle = dynamic_cast<const Superquadric*>(shape.get());
 		row.sphere = dynamic_cast<const Sphere*>(shape.get());
 		row.placement.reset();
 		row.motion.reset();
 	}
 	if (row.sphere) return refreshSphere(id, *body->state, changed);
-	return row.ours ? refreshSuperquadric(id, *body, scene, changed) : changed;
+	return row.particle ? refreshSuperquadric(id, *body, scene, changed) : changed;
 }
 
 bool BodyTable::refreshSuperquadric(Body::id_t id, const Body& body, const Scene& scene, bool changed)
 {
 	Row& row = rows[id];
-	changed |= row.placement && !(row.placement->shape == row.ours->solid()); // attributes set anew
+	changed |= row.placement && !(row.placement->shape == row.particle->solid()); // attributes set anew
 	const std::optional<superquadric::Placement> before = row.placement;
 	place(row, *body.state);
 	row.motion.emplace(body, scene);
@@ -88,7 +88,7 @@ bool BodyTable::addTravel(Body::id_t id, Real moved, Real size)
 
 void BodyTable::place(Row& row, const State& state)
 {
-	const superquadric::Shape& own = row.ours->solid();
+	const superquadric::Shape& own = row.particle->solid();
 	const superquadric::Shape* shared = row.placement && row.placement->shape == own ? &row.placement->shape : nullptr;
 	if (!shared) {
 		const std::lock_guard<std::mutex> lock(addingShape);

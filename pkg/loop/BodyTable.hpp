@@ -22,7 +22,7 @@ public:
 		// Known by its owner, so that no other can take its address unnoticed; but not kept alive: a shape made in Python must be let go of by a
 		// thread that holds Python's lock.
 		boost::weak_ptr<Shape> shape;
-		const Superquadric* ours = nullptr; // the same, if it is one
+		const Superquadric* particle = nullptr; // the same, if it is one
 		const Sphere* sphere = nullptr; // likewise
 		Vector3r centre; // of a sphere only [m]
 		Real radius = 0; // likewise

@@ -13,7 +13,7 @@ namespace {
 	superquadric::WarmStart memoryOf(const Interaction& interaction)
 	{
 		const auto* geom = dynamic_cast<const SuperquadricGeom*>(interaction.geom.get());
-		return geom ? geom->warmStart() : superquadric::WarmStart();
+		return geom ? geom->warm : superquadric::WarmStart();
 	}
 
 } // namespace
@@ -27,7 +27,7 @@ void PairTable::writeMemories() const
 {
 	for (const Row& row : rows)
 		if (row.ownsMemory)
-			if (auto* geom = dynamic_cast<SuperquadricGeom*>(row.interaction->geom.get())) geom->setWarmStart(row.warm);
+			if (auto* geom = dynamic_cast<SuperquadricGeom*>(row.interaction->geom.get())) geom->warm = row.warm;
 }
 
 bool PairTable::isUpToDate(InteractionContainer& interactions) const

@@ -28,7 +28,7 @@ public:
 		const void *geomAt, *physAt;
 
 		// After a contact has begun or ended.
-		void note()
+		void refresh()
 		{
 			const Interaction& now = *interaction;
 			real = now.isReal();

@@ -71,11 +71,11 @@ void SuperquadricInteractionLoop::prepare()
 		if (const auto* spheres = dynamic_cast<const Ig2_Sphere_Sphere_ScGeom*>(functor.get())) sphereReach = std::max(sphereReach, spheres->interactionDetectionFactor);
 	}
 	fastLaw = nullptr;
-	movingBodiesLaw = nullptr;
+	pairLaw = nullptr;
 	for (const auto& functor : lawDispatcher->functors)
-		if (auto* law = dynamic_cast<MovingBodiesLaw*>(functor.get())) {
+		if (auto* law = dynamic_cast<PairLaw*>(functor.get())) {
 			fastLaw = functor.get();
-			movingBodiesLaw = law;
+			pairLaw = law;
 		}
 	activeCallbacks.clear();
 	for (const auto& callback : callbacks) {
@@ -101,11 +101,11 @@ void SuperquadricInteractionLoop::solve(PairTable::Row& row)
 		row.apartUntil = apartUntil(row, gap, body1.shape.boundingRadius() + body2.shape.boundingRadius());
 		if (!row.real) return;
 	}
-	if (movingBodiesLaw && row.law == fastLaw && row.interaction->isReal() && touches(contact))
-		follow(row, contact);
+	if (pairLaw && row.law == fastLaw && row.interaction->isReal() && touches(contact))
+		keepTouching(row, contact);
 	else {
-		meet(row, contact);
-		row.note();
+		beginOrEnd(row, contact);
+		row.refresh();
 	}
 	callBack(*row.interaction);
 }
@@ -129,21 +129,17 @@ bool SuperquadricInteractionLoop::spheresAreApart(PairTable::Row& row) const
 }
 
 // Two superquadrics that touched before and still do, under a law that needs no more than their motion.
-void SuperquadricInteractionLoop::follow(const PairTable::Row& row, const superquadric::Contact& contact)
+void SuperquadricInteractionLoop::keepTouching(const PairTable::Row& row, const superquadric::Contact& contact)
 {
 	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
 	auto& geom = static_cast<SuperquadricGeom&>(*row.interaction->geom);
-	geom.setSides(sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1), sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2));
-	geom.follow(contact, *row1.motion, *row2.motion, scene->dt);
-	const ContactLoad load = movingBodiesLaw->load(geom, *row.interaction->phys, *row1.motion, *row2.motion);
-	scene->forces.addForce(row.id1, -load.force);
-	scene->forces.addForce(row.id2, load.force);
-	scene->forces.addTorque(row.id1, load.torque1);
-	scene->forces.addTorque(row.id2, load.torque2);
+	geom.touch(contact, sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1),
+	           sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2), geom.normal, *row1.motion, *row2.motion, scene->dt);
+	pairLaw->act(geom, *row.interaction->phys, *row1.motion, *row2.motion);
 }
 
 // A contact that begins or ends.
-void SuperquadricInteractionLoop::meet(const PairTable::Row& row, const superquadric::Contact& contact) const
+void SuperquadricInteractionLoop::beginOrEnd(const PairTable::Row& row, const superquadric::Contact& contact) const
 {
 	const shared_ptr<Interaction>& interaction = *row.handle;
 	Body &body1 = *Body::byId(row.id1, scene), &body2 = *Body::byId(row.id2, scene);
@@ -191,7 +187,7 @@ void SuperquadricInteractionLoop::dispatch(PairTable::Row& row)
 		callBack(*interaction);
 	} else if (wasReal)
 		scene->interactions->requestErase(interaction);
-	row.note();
+	row.refresh();
 }
 
 bool SuperquadricInteractionLoop::isForeign(const Body& body1, const Body& body2) const

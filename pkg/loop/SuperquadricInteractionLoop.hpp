@@ -25,8 +25,8 @@ private:
 	void solve(PairTable::Row& row);
 	bool spheresAreApart(PairTable::Row& row) const;
 	Real apartUntil(const PairTable::Row& row, Real gap, Real size) const;
-	void follow(const PairTable::Row& row, const superquadric::Contact& contact);
-	void meet(const PairTable::Row& row, const superquadric::Contact& contact) const;
+	void keepTouching(const PairTable::Row& row, const superquadric::Contact& contact);
+	void beginOrEnd(const PairTable::Row& row, const superquadric::Contact& contact) const;
 	void fetch(const PairTable::Row& row) const;
 	void dispatch(PairTable::Row& row);
 	bool isForeign(const Body& body1, const Body& body2) const;
@@ -43,8 +43,8 @@ private:
 	// Of this step.
 	shared_ptr<Ig2_Superquadric_Superquadric_SuperquadricGeom> geometry;
 	Real sphereReach = 0; // radii are counted so many times when spheres are looked at; 0: YADE's functor for them is not there
-	LawFunctor* fastLaw = nullptr; // the one behind `movingBodiesLaw`
-	MovingBodiesLaw* movingBodiesLaw = nullptr;
+	LawFunctor* fastLaw = nullptr; // the one behind `pairLaw`
+	PairLaw* pairLaw = nullptr;
 	std::vector<Callback> activeCallbacks;
 
 	// clang-format off

@@ -81,7 +81,7 @@ namespace {
 	};
 
 	// Returns whether there are no open edges.
-	bool noteEdges(const TriangleMesh& mesh, bool closed, Findings& findings)
+	bool checkEdges(const TriangleMesh& mesh, bool closed, Findings& findings)
 	{
 		std::map<std::array<int, 2>, EdgeUse> edges;
 		for (const auto& triangle : mesh.triangles)
@@ -162,7 +162,7 @@ Facing checkMesh(const TriangleMesh& mesh, const std::string& name, bool closed)
 	findings.throwIfAny();
 	findings.note(degenerate(mesh));
 	findings.throwIfAny();
-	const bool isClosed = noteEdges(mesh, closed, findings);
+	const bool isClosed = checkEdges(mesh, closed, findings);
 	if (!findings.any()) findings.note(pinched(mesh));
 	findings.note(selfIntersections(mesh));
 	findings.throwIfAny();

@@ -104,12 +104,12 @@ namespace {
 			row.exponents[0] = row.exponents[1] = 2;
 			row.volume = 4 * Mathr::PI / 3 * std::pow(sphere->radius, 3);
 		} else {
-			const auto& ours = static_cast<const Superquadric&>(shape);
+			const auto& particle = static_cast<const Superquadric&>(shape);
 			row.kind = rows::SuperquadricKind;
-			put(ours.getExtents(), row.extents);
-			row.exponents[0] = ours.n1;
-			row.exponents[1] = ours.n2;
-			row.volume = ours.volume();
+			put(particle.getExtents(), row.extents);
+			row.exponents[0] = particle.n1;
+			row.exponents[1] = particle.n2;
+			row.volume = particle.volume();
 		}
 	}
 

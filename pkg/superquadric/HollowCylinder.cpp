@@ -8,16 +8,10 @@ YADE_PLUGIN((HollowCylinder));
 
 void HollowCylinder::postLoad(HollowCylinder&)
 {
-	try {
+	accepted.accept({ &radius, &height }, [this] {
 		requirePositive("radius", radius);
 		if (!(height > 0)) refuse("height", "positive", height);
-	} catch (const std::invalid_argument&) {
-		radius = validRadius;
-		height = validHeight;
-		throw;
-	}
-	validRadius = radius;
-	validHeight = height;
+	});
 }
 
 } // namespace yade

@@ -3,6 +3,7 @@
 
 #include <core/Shape.hpp>
 #include <core/State.hpp>
+#include <pkg/support/AcceptedAttributes.hpp>
 
 namespace yade {
 
@@ -21,7 +22,7 @@ public:
 	void postLoad(HollowCylinder&);
 
 private:
-	Real validRadius = 1, validHeight = 1;
+	AcceptedAttributes accepted;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(HollowCylinder, Shape,
@@ -32,7 +33,7 @@ private:
 		"Refused values raise ValueError naming the parameter and the value; the shape then stays as it was.",
 		((Real, radius, 1, Attr::triggerPostLoad, "Inner radius [m]; positive and finite."))
 		((Real, height, 1, Attr::triggerPostLoad, "Length along the axis [m]; positive, may be infinite."))
-		, createIndex();
+		, createIndex(); postLoad(*this);
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(HollowCylinder, Shape);

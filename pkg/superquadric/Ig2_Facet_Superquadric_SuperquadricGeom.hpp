@@ -1,33 +1,27 @@
 #pragma once
 
-#include "ContactFunctor.hpp"
+#include "SuperquadricGeomFunctor.hpp"
 #include "FacetNeighbours.hpp"
-#include "ThreadCounters.hpp"
 
 #include <pkg/common/Facet.hpp>
 
 namespace yade {
 
-class Ig2_Facet_Superquadric_SuperquadricGeom : public ContactFunctor {
+class Ig2_Facet_Superquadric_SuperquadricGeom : public SuperquadricGeomFunctor {
 public:
 	FUNCTOR2D(Facet, Superquadric);
 	DEFINE_FUNCTOR_ORDER_2D(Facet, Superquadric);
-	boost::python::dict counters() const { return solverCounters.asDict(); }
-	void resetCounters() { solverCounters.reset(); }
 	void findNeighbours();
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Facet_Superquadric_SuperquadricGeom, IGeomFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Facet_Superquadric_SuperquadricGeom, SuperquadricGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`Facet`, a sheet without thickness that pushes to the side on which the "
 		"particle's centre is, and a :yref:`Superquadric`. Facets that share vertices act as one surface: a flat mesh pushes like a :yref:`Wall` "
 			"however "
 		"it is cut into triangles, a ridge pushes once, a hollow corner from both sides. The facets of the scene are looked through when the number "
 			"of bodies has "
 		"changed; a mesh may move, as long as its facets move together."
-		, , , .def("counters", &Ig2_Facet_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was made or "
-			"resetCounters was called, all threads together.")
-		.def("resetCounters", &Ig2_Facet_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
-		.def("findNeighbours", &Ig2_Facet_Superquadric_SuperquadricGeom::findNeighbours, "Look again which facets of the scene share vertices: "
+		, , , .def("findNeighbours", &Ig2_Facet_Superquadric_SuperquadricGeom::findNeighbours, "Look again which facets of the scene share vertices: "
 			"needed only after facets were "
 			"moved onto each other, or replaced by as many others.")
 	);
@@ -40,7 +34,6 @@ private:
 	bool pushes(const superquadric::Placement& body, const superquadric::MeshFacet& facet, const superquadric::Contact& contact, const Scene& scene,
 	            superquadric::SolverCounters& counters);
 
-	ThreadCounters solverCounters;
 	FacetNeighbours neighbours;
 };
 REGISTER_SERIALIZABLE(Ig2_Facet_Superquadric_SuperquadricGeom);

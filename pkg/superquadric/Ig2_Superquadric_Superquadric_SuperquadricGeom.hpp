@@ -1,11 +1,10 @@
 #pragma once
 
-#include "ContactFunctor.hpp"
-#include "ThreadCounters.hpp"
+#include "SuperquadricGeomFunctor.hpp"
 
 namespace yade {
 
-class Ig2_Superquadric_Superquadric_SuperquadricGeom : public ContactFunctor {
+class Ig2_Superquadric_Superquadric_SuperquadricGeom : public SuperquadricGeomFunctor {
 public:
 	FUNCTOR2D(Superquadric, Superquadric);
 	DEFINE_FUNCTOR_ORDER_2D(Superquadric, Superquadric);
@@ -15,25 +14,17 @@ public:
 	                     const ContactPair& pair, const superquadric::WarmStart& warm);
 	// Pairs that a loop knew to be apart without asking.
 	void countStillApart(unsigned long pairs) { solverCounters.ofThisThread().stillApart += pairs; }
-	boost::python::dict counters() const { return solverCounters.asDict(); }
-	void resetCounters() { solverCounters.reset(); }
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Ig2_Superquadric_Superquadric_SuperquadricGeom, IGeomFunctor,
+	YADE_CLASS_BASE_DOC(Ig2_Superquadric_Superquadric_SuperquadricGeom, SuperquadricGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of two :yref:`superquadrics<Superquadric>`, eqs. (2)-(5). Every answer is proved by a point "
 		"inside both or by a plane between them; a pair that is apart keeps that plane in a parked geometry, which settles most later steps at "
 		"once. The counts tell how; the entry uncertified must stay 0."
-		, , , .def("counters", &Ig2_Superquadric_Superquadric_SuperquadricGeom::counters, "Dictionary of the solver's counts since the functor was "
-			"made or resetCounters was called, all threads together.")
-		.def("resetCounters", &Ig2_Superquadric_Superquadric_SuperquadricGeom::resetCounters, "Set the solver's counts to zero.")
 	);
 	// clang-format on
 
 protected:
 	bool solve(const Shape& shape1, const Shape& shape2, const ContactPair& pair) override;
-
-private:
-	ThreadCounters solverCounters;
 };
 REGISTER_SERIALIZABLE(Ig2_Superquadric_Superquadric_SuperquadricGeom);
 

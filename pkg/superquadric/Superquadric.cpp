@@ -14,14 +14,7 @@ YADE_PLUGIN((Superquadric));
 
 void Superquadric::postLoad(Superquadric&)
 {
-	try {
-		valid = superquadric::Shape(extents, n1, n2);
-	} catch (const std::invalid_argument&) {
-		extents = valid.halfSizes();
-		n1 = valid.n1();
-		n2 = valid.n2();
-		throw;
-	}
+	accepted.accept({ &extents, &n1, &n2 }, [this] { valid = superquadric::Shape(extents, n1, n2); });
 }
 
 void Superquadric::setExtents(const Vector3r& value)

@@ -4,6 +4,7 @@
 #include <core/Shape.hpp>
 #include <core/State.hpp>
 #include <pkg/geometry/Placement.hpp>
+#include <pkg/support/AcceptedAttributes.hpp>
 
 namespace yade {
 
@@ -39,6 +40,7 @@ public:
 
 private:
 	superquadric::Shape valid { Vector3r::Ones(), 2, 2 };
+	AcceptedAttributes accepted;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Superquadric, Shape,
@@ -51,7 +53,7 @@ private:
 			"[defined below]"))
 		((Real, n1, 2, Attr::triggerPostLoad, "Exponent along z, within [2, 20]."))
 		((Real, n2, 2, Attr::triggerPostLoad, "Exponent in the x-y plane, within [2, 20]."))
-		, createIndex();,
+		, createIndex(); postLoad(*this);,
 		.add_property("extents", &Superquadric::getExtents, &Superquadric::setExtents,
 			"Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. Assign all three: reading gives a copy.")
 		.def("volume", &Superquadric::volume, "Volume [m^3], in closed form.")

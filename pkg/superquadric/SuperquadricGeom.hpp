@@ -5,6 +5,21 @@
 #include <pkg/dem/ScGeom.hpp>
 #include <pkg/detection/Contact.hpp>
 
+namespace boost::serialization {
+
+template <class Archive> void serialize(Archive& archive, superquadric::WarmStart& warm, unsigned)
+{
+	archive& make_nvp("kind", warm.kind);
+	archive& make_nvp("value", warm.value);
+	archive& make_nvp("seenBy2", warm.seenBy2);
+	archive& make_nvp("inBothFrames", warm.inBothFrames);
+	archive& make_nvp("drift", warm.drift);
+	archive& make_nvp("supports", warm.supports);
+	archive& make_nvp("shapes", warm.shapes);
+}
+
+} // namespace boost::serialization
+
 namespace yade {
 
 // A pair has a SuperquadricGeom in one of two states:
@@ -26,14 +41,9 @@ public:
 
 	~SuperquadricGeom() override = default;
 
-	superquadric::WarmStart warmStart() const;
-	void setWarmStart(const superquadric::WarmStart& warm);
-	void setSides(const Side& side1, const Side& side2);
-	// The bodies still touch, as the solver says: sets what ScGeom::doIg2Work sets for a contact that is not new, except what only
-	// ScGeom::rotate reads.
-	void follow(const superquadric::Contact& contact, const Motion& motion1, const Motion& motion2, Real dt);
-	// How the contact has turned since the last step; zero of a new one.
-	void noteTurn(const Vector3r& normalBefore, const Vector3r& spinSum, Real dt);
+	// The bodies touch, as the solver says. `normalBefore` is the normal of the step before, that of now in a new contact.
+	void touch(const superquadric::Contact& contact, const Side& side1, const Side& side2, const Vector3r& normalBefore, const Motion& motion1,
+	           const Motion& motion2, Real dt);
 	// A vector that lies in the contact plane, turned with the contact to first order, as ScGeom::rotate does it.
 	Vector3r turned(const Vector3r& vector) const
 	{
@@ -42,12 +52,13 @@ public:
 	}
 	// The bodies do not touch.
 	void part(const superquadric::Contact& contact);
+	boost::python::tuple warmStartAsTuple() const;
 
 private:
 	Vector3r turn = Vector3r::Zero(), twist = Vector3r::Zero(); // of the last step [rad]
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR(SuperquadricGeom, ScGeom,
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(SuperquadricGeom, ScGeom,
 		"Geometry of a contact that involves a :yref:`Superquadric` or a :yref:`HollowCylinder`. The normal points from body 1 to body 2; "
 		"with the surface points X1 and X2, contactPoint = (X1+X2)/2 and penetrationDepth = (X1-X2).normal. refR1 and refR2 are the smallest "
 		"half sizes (a wall takes the particle's). A pair that does not touch may keep such an object, without physics, as the memory of "
@@ -62,16 +73,11 @@ private:
 			"(centre-X2).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize1, 0, Attr::readonly, "Smallest half size of body 1; 0 for a wall [m]. |yupdate|"))
 		((Real, smallestHalfSize2, 0, Attr::readonly, "Smallest half size of body 2; 0 for a wall [m]. |yupdate|"))
-		((int, warmKind, 0, Attr::readonly, "What warmValue is: 0 nothing, 1 the last contact point, 2 the last separating direction. |yupdate|"))
-		((Vector3r, warmValue, Vector3r::Zero(), Attr::readonly, "Where the solver starts in the next step, in the frame of body 1, or of the "
-			"particle at a wall: point from its centre [m] or unit direction. |yupdate|"))
-		((Vector3r, warmSeenBy2, Vector3r::Zero(), Attr::readonly, "The same in the frame of body 2. |yupdate|"))
-		((bool, warmInBothFrames, false, Attr::readonly, "Whether warmSeenBy2 is known. |yupdate|"))
-		((Vector3r, warmDrift, Vector3r::Zero(), Attr::readonly, "Of a point: how far it moved in the last step beyond what the bodies carried it, "
-			"in the frame of body 1 [m]. |yupdate|"))
-		((Real, warmSupports, 0, Attr::readonly, "Of a direction: the sum of the supports that proved it [m]. |yupdate|"))
-		((long, warmShapes, 0, Attr::readonly, "Of a direction: fingerprint of the shapes that it was proved for. |yupdate|"))
-		, createIndex();
+		((superquadric::WarmStart, warm, , Attr::hidden, "What the solver starts from in the next step."))
+		, createIndex();,
+		.add_property("warmStart", &SuperquadricGeom::warmStartAsTuple, "Where the contact solver starts in the next step: ('none', (0, 0, 0)); "
+			"('point', the last contact point from the centre of body 1, or of the particle at a wall [m]); or ('direction', the last separating "
+			"direction, a unit vector). Vectors are in the frame of that body.")
 	);
 	// clang-format on
 	REGISTER_CLASS_INDEX(SuperquadricGeom, ScGeom);

@@ -9,6 +9,7 @@ namespace {
 
 MovingBody::MovingBody(const Body& body, const Scene& scene, const Vector3r& shift, const Vector3r& shiftVelocity)
         : Motion(*body.state, shift, shiftVelocity)
+        , id(body.getId())
 {
 	const State& state = moving(body, scene);
 	centreOfMass = state.pos + shift;

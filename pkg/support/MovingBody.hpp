@@ -23,6 +23,7 @@ struct Motion {
 
 // A member of a clump moves, and resists, with the clump. What is blocked or has no mass cannot be moved: it counts as infinitely heavy.
 struct MovingBody : Motion {
+	Body::id_t id;
 	Vector3r centreOfMass;
 	Matrix3r axes; // principal axes of inertia, as columns
 	Real inverseMass; // 0 when it cannot be moved [1/kg]

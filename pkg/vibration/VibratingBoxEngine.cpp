@@ -22,22 +22,9 @@ namespace {
 	int axisOf(char letter) { return letter - 'x'; }
 }
 
-VibratingBoxEngine::Parameters VibratingBoxEngine::parameters() const
+AcceptedAttributes::References VibratingBoxEngine::checkedAttributes()
 {
-	return { freeAxes, mass, frequency, phase, stiffness, damping, forceAmplitude, displacement, velocity };
-}
-
-void VibratingBoxEngine::put(const Parameters& values)
-{
-	freeAxes = values.freeAxes;
-	mass = values.mass;
-	frequency = values.frequency;
-	phase = values.phase;
-	stiffness = values.stiffness;
-	damping = values.damping;
-	forceAmplitude = values.forceAmplitude;
-	displacement = values.displacement;
-	velocity = values.velocity;
+	return { &freeAxes, &mass, &frequency, &phase, &stiffness, &damping, &forceAmplitude, &displacement, &velocity };
 }
 
 void VibratingBoxEngine::check() const
@@ -57,13 +44,7 @@ void VibratingBoxEngine::check() const
 
 void VibratingBoxEngine::postLoad(VibratingBoxEngine&)
 {
-	try {
-		check();
-	} catch (const std::invalid_argument&) {
-		put(accepted);
-		throw;
-	}
-	accepted = parameters();
+	accepted.accept(checkedAttributes(), [this] { check(); });
 }
 
 void VibratingBoxEngine::action()
@@ -85,7 +66,7 @@ void VibratingBoxEngine::action()
 	lastDrive = now.drive;
 	lastDashpot = dashpot;
 	displacement += lastWay;
-	accepted = parameters(); // what a later refusal goes back to
+	accepted.remember(checkedAttributes()); // what a later refusal goes back to
 }
 
 // A box that has been thrown out of all numbers, by springs too stiff for the time step or by particles that are there already, would take everything

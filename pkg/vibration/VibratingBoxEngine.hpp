@@ -3,6 +3,7 @@
 
 #include <core/PartialEngine.hpp>
 #include <core/Scene.hpp>
+#include <pkg/support/AcceptedAttributes.hpp>
 
 namespace yade {
 
@@ -24,19 +25,13 @@ public:
 	static Vector3r getVector(const VibratingBoxEngine& box) { return box.*attribute; }
 
 private:
-	struct Parameters {
-		std::string freeAxes;
-		Real mass, frequency, phase;
-		Vector3r stiffness, damping, forceAmplitude, displacement, velocity;
-	};
 	// What acts on the box at a step, beside its springs.
 	struct Load {
 		Vector3r contacts, weight, drive; // [N]
 		Real mass; // of the box and its members [kg]
 	};
 
-	Parameters parameters() const;
-	void put(const Parameters& values);
+	AcceptedAttributes::References checkedAttributes();
 	void check() const;
 	State& member(Body::id_t id) const;
 	void findReferences();
@@ -47,7 +42,7 @@ private:
 	void book(const Load& now, const Vector3r& dashpot, const Vector3r& before) const;
 	void moveMembers() const;
 
-	Parameters accepted;
+	AcceptedAttributes accepted;
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(VibratingBoxEngine, PartialEngine,
@@ -89,7 +84,7 @@ private:
 		((Vector3r, lastWay, Vector3r::Zero(), Attr::hidden, "By which the box moved in the last step [m]."))
 		((Vector3r, lastDrive, Vector3r::Zero(), Attr::hidden, "Driving force at its beginning [N]."))
 		((Vector3r, lastDashpot, Vector3r::Zero(), Attr::hidden, "Dashpots' force then [N]."))
-		, accepted = parameters();,
+		, accepted.remember(checkedAttributes());,
 		.add_property("stiffness", &VibratingBoxEngine::getVector<&VibratingBoxEngine::stiffness>, &VibratingBoxEngine::setVector<&VibratingBoxEngine::stiffness>,
 			"Of the springs along the axes, not negative [N/m]. Assign all three: reading gives a copy, here and below.")
 		.add_property("damping", &VibratingBoxEngine::getVector<&VibratingBoxEngine::damping>, &VibratingBoxEngine::setVector<&VibratingBoxEngine::damping>,

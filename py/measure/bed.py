@@ -4,10 +4,9 @@ import math
 import numpy as np
 
 from .. import checks
-from ..scene import container as containers
-from ..scene.bodies import unitVolume
+from ..scene.container import crossSection
+from ..scene.shapes import unitVolume
 from .snapshot import boxHalfHeights, gauge
-
 
 MOST_VOXELS = 2e8  # a byte each
 
@@ -72,7 +71,7 @@ def measureBed(snapshot, container, voxel=None):
     thickness = float(levels[columns].mean()) if columns.any() else 0.0
     if not thickness > 0:
         raise ValueError(f'voxel = {voxel!r}: too coarse, no voxel in the container has its centre in a particle')
-    area = containers.crossSection(container)
+    area = crossSection(container)
     middle = (centers[2] > radius) & (centers[2] < thickness - radius)
     inner = filled[_columnsInside(container, centers, 2 * radius)][:, middle]
     return {'thickness': thickness, 'packingFraction': float(volumes.sum()) / (area * thickness),

@@ -30,7 +30,8 @@ class Snapshot:
 
         :raises ValueError: a body that is not in the scene
         """
-        rows = bodyarrays.particles(ids)
+        from . import scenearrays  # needs YADE, the rest does not
+        rows = scenearrays.particles(ids)
         return cls(ids=rows['id'].copy(), positions=rows['position'].copy(), rotations=bodyarrays.matrices(rows['orientation']),
                    extents=rows['extents'].copy(), exponents=rows['exponents'].copy())
 

@@ -7,7 +7,7 @@ import numpy as np
 from yade.wrapper import MeshFunctions
 
 from .. import checks
-from .stl import Surface, readSurface, table
+from .stl import TriangleMesh, readStl, table
 
 # Corners are numbered by the bits x, y, z; triangles face outward.
 BOX_TRIANGLES = np.array([(0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7),
@@ -101,13 +101,13 @@ class Cylinder:
 
 @dataclass(frozen=True)
 class Mesh:
-    """What a closed `Surface` encloses, convex or not, whichever way it faces. ValueError for one that bounds nothing (docs/meshes.md)."""
-    surface: Surface
+    """What a closed `TriangleMesh` encloses, convex or not, whichever way it faces. ValueError for one that bounds nothing (docs/meshes.md)."""
+    surface: TriangleMesh
     volume: float = field(init=False)  #: [m3]
 
     def __post_init__(self):
-        if not isinstance(self.surface, Surface):
-            raise ValueError(f'surface = {self.surface!r}: must be a Surface')
+        if not isinstance(self.surface, TriangleMesh):
+            raise ValueError(f'surface = {self.surface!r}: must be a TriangleMesh')
         self.surface.check(closed=True)
         if np.abs(self.surface.points).max() > checks.LARGEST:
             raise ValueError(f'surface: {self.surface.name}: points must not be above {checks.LARGEST:g} m in size')
@@ -115,8 +115,8 @@ class Mesh:
 
     @classmethod
     def ofStl(cls, path, **placing):
-        """Of an STL file; `placing` as in `readSurface`."""
-        return cls(readSurface(path, **placing))
+        """Of an STL file; `placing` as in `readStl`."""
+        return cls(readStl(path, **placing))
 
     def volumeCut(self, halfSpaces):
         """As `Box.volumeCut`."""

@@ -7,17 +7,17 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import MeshFunctions
 
 from .. import checks
-from ..scene.bodies import rotation
-from ..measure.snapshot import Snapshot, matrix
-from .tessellation import tessellation
 from ..files.wholefile import ReplacingBytes
+from ..measure.snapshot import Snapshot, matrix
+from ..scene.bodies import rotation
+from .tessellation import tessellation
 
 _STL_HEADER = b'yade-superquadric'.ljust(80)
 _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])
 
 
 @dataclass(frozen=True)
-class Surface:
+class TriangleMesh:
     """Triangles in space; `name` is what errors call it."""
     points: np.ndarray      #: (N, 3) [m]
     triangles: np.ndarray   #: (M, 3) indices of points, counterclockwise seen from where they face
@@ -37,18 +37,18 @@ class Surface:
         return MeshFunctions.check(self.points, self.triangles, self.name, closed)
 
 
-def readSurface(path, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity):
+def readStl(path, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity):
     """The triangles of an STL file, ASCII or binary, in space: x = position + orientation * (scale * x of the file).
 
     :param scale: of the file's unit in metres: 1e-3 where it is millimetres
     :param position: [m]; :param orientation: Quaternion
-    :returns: `Surface`, not checked
+    :returns: `TriangleMesh`, not checked
     :raises ValueError: for a file that cannot be read, is no STL file or is cut short
     """
     path = checks.path('path', path)
     scale, position, turn = checks.positive('scale', scale), checks.vector('position', position), matrix(rotation(orientation))
     points, triangles = (np.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in zip(MeshFunctions.readStl(path), (float, np.int32)))
-    return Surface(scale * points @ np.transpose(turn) + position, triangles, path)
+    return TriangleMesh(scale * points @ np.transpose(turn) + position, triangles, path)
 
 
 def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity, wire=True, color=None):
@@ -56,14 +56,14 @@ def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), ori
 
     The facets push particles to the side on which their centres are, so it does not matter which way the triangles face, as long as all face alike.
 
-    :param path, scale, position, orientation: as in `readSurface`
+    :param path, scale, position, orientation: as in `readStl`
     :param material: its material
     :param closed: False for a container with an opening: edges with one triangle only are then accepted, all else is checked
     :param wire, color: of the drawing
     :returns: ids of the facets
-    :raises ValueError: what is wrong with the surface (`Surface.check`), before anything is added
+    :raises ValueError: what is wrong with the surface (`TriangleMesh.check`), before anything is added
     """
-    surface = readSurface(path, scale, position, orientation)
+    surface = readStl(path, scale, position, orientation)
     surface.check(checks.boolean('closed', closed))
     corners = [Vector3(*point) for point in surface.points]
     return O.bodies.append([utils.facet([corners[i] for i in triangle], material=material, wire=wire, color=color, fixed=True)
@@ -71,7 +71,7 @@ def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), ori
 
 
 def writeStl(path, surface):
-    """Write a `Surface` as a binary STL file: single precision, seven digits of each coordinate.
+    """Write a `TriangleMesh` as a binary STL file: single precision, seven digits of each coordinate.
 
     :raises ValueError: coordinates that single precision does not hold, triangles of points that are not there
     """
@@ -86,8 +86,8 @@ def writeStl(path, surface):
 
 def _corners(surface):
     """Of the triangles (M, 3, 3) [m], which an STL file can hold."""
-    if not isinstance(surface, Surface):
-        raise ValueError(f'surface = {surface!r}: must be a Surface')
+    if not isinstance(surface, TriangleMesh):
+        raise ValueError(f'surface = {surface!r}: must be a TriangleMesh')
     outside = (surface.triangles < 0) | (surface.triangles >= len(surface.points))
     if outside.any():
         raise ValueError(f'triangles must be indices of points, got {surface.triangles[outside][0]}')
@@ -112,7 +112,7 @@ def particlesToStl(path, ids, error):
         points.append(own.points @ np.transpose(matrix(body.state.ori)) + np.array(body.state.pos))
         triangles.append(own.triangles + before)
         before += len(own.points)
-    writeStl(path, Surface(np.vstack(points), np.vstack(triangles)))
+    writeStl(path, TriangleMesh(np.vstack(points), np.vstack(triangles)))
 
 
 def table(name, rows, kind):

@@ -4,8 +4,6 @@ from functools import lru_cache
 
 import numpy as np
 
-from yade.wrapper import Superquadric
-
 from ..measure import bodyarrays
 from .tessellation import tessellation
 
@@ -15,19 +13,20 @@ MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box
 
 UPRIGHT = 1 - 1e-9  # cosine of an axis with another, above which they are the same to rounding
 
-Triangles = namedtuple('Triangles', 'points normals triangles owner')
-Triangles.__doc__ = """Triangles of many bodies, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places of points, owner (N,):
-whose row a point belongs to."""
+BodySurfaces = namedtuple('BodySurfaces', 'points normals triangles owner')
+BodySurfaces.__doc__ = """The surfaces of many bodies as triangles, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places
+of points, owner (N,): whose row a point belongs to."""
 
 
 @lru_cache(maxsize=64)
 def _unit(n1, n2, detail):
     """The tessellation of the superquadric with half sizes 1 [m]: all of the same exponents are this one, stretched."""
+    from yade.wrapper import Superquadric  # surfaces of containers need no YADE
     return tessellation(Superquadric(extents=(1, 1, 1), n1=n1, n2=n2), detail)
 
 
 def particleSurfaces(particles, detail=DETAIL):
-    """`Triangles` of all `particles` (rows of PARTICLE): one tessellation for each pair of exponents, stretched, turned and moved.
+    """`BodySurfaces` of all `particles` (rows of PARTICLE): one tessellation for each pair of exponents, stretched, turned and moved.
 
     :param detail: largest distance between the surface and the triangles, over the particle's largest half size; for all, or (N,)
     """
@@ -42,36 +41,36 @@ def particleSurfaces(particles, detail=DETAIL):
 
 
 def _instances(unit, particles, rows, first):
-    """`Triangles` of the particles that are all the unit shape stretched; numbers of their points begin with `first`."""
+    """`BodySurfaces` of the particles that are all the unit shape stretched; numbers of their points begin with `first`."""
     turns, number = bodyarrays.matrices(particles['orientation']), len(unit.points)
     points = (unit.points[None] * particles['extents'][:, None]) @ np.swapaxes(turns, 1, 2) + particles['position'][:, None]
     normals = (unit.normals[None] / particles['extents'][:, None])  # a gradient: it stretches the other way
     normals /= np.linalg.norm(normals, axis=2, keepdims=True)
     triangles = unit.triangles[None] + (first + number * np.arange(len(rows)))[:, None, None]
-    return Triangles(points.reshape(-1, 3), (normals @ np.swapaxes(turns, 1, 2)).reshape(-1, 3), triangles.reshape(-1, 3), np.repeat(rows, number))
+    return BodySurfaces(points.reshape(-1, 3), (normals @ np.swapaxes(turns, 1, 2)).reshape(-1, 3), triangles.reshape(-1, 3), np.repeat(rows, number))
 
 
 def _joined(parts):
-    empty = Triangles(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros(0, dtype=int))
-    return Triangles(*map(np.concatenate, zip(empty, *parts)))
+    empty = BodySurfaces(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros(0, dtype=int))
+    return BodySurfaces(*map(np.concatenate, zip(empty, *parts)))
 
 
 def containerSurfaces(container, box):
-    """`Triangles` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a hollow cylinder
-    that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
+    """`BodySurfaces` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a
+    hollow cylinder that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
     """
     parts, first = [], 0
     cylinders, edges = container[container['kind'] == bodyarrays.CYLINDER], _edges(container, box)
     for row in np.flatnonzero(container['kind'] != bodyarrays.FACET):
         border = container[row]
         points, normals, triangles = _cylinder(border, box) if border['kind'] == bodyarrays.CYLINDER else _plane(border, cylinders, edges)
-        parts.append(Triangles(points, normals, triangles + first, np.full(len(points), row)))
+        parts.append(BodySurfaces(points, normals, triangles + first, np.full(len(points), row)))
         first += len(points)
     rows = np.flatnonzero(container['kind'] == bodyarrays.FACET)
     vertices = container['numbers'][rows].reshape(-1, 3, 3)
     across = np.cross(vertices[:, 1] - vertices[:, 0], vertices[:, 2] - vertices[:, 0])
     normals = np.repeat(across / np.linalg.norm(across, axis=1, keepdims=True), 3, axis=0)
-    parts.append(Triangles(vertices.reshape(-1, 3), normals, first + np.arange(3 * len(rows)).reshape(-1, 3), np.repeat(rows, 3)))
+    parts.append(BodySurfaces(vertices.reshape(-1, 3), normals, first + np.arange(3 * len(rows)).reshape(-1, 3), np.repeat(rows, 3)))
     return _joined(parts)
 
 

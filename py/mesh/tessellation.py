@@ -2,8 +2,6 @@
 from dataclasses import dataclass
 
 import numpy
-from yade.minieigenHP import Vector3
-from yade.wrapper import Sphere, Superquadric
 
 from .. import checks
 
@@ -23,6 +21,8 @@ def tessellation(shape, error):
     Points are close where the curvature is high; a sphere takes about 5 radius/error of them. ValueError for another shape, for an error that is not
     positive and finite, and for one that takes more than a million points.
     """
+    from yade.minieigenHP import Vector3  # the class Tessellation needs no YADE
+    from yade.wrapper import Sphere, Superquadric
     checks.positive('error', error)
     if isinstance(shape, Sphere):
         shape = Superquadric(extents=Vector3(shape.radius, shape.radius, shape.radius), n1=2, n2=2)

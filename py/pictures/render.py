@@ -1,6 +1,6 @@
 """Pictures (PNG) and animations (GIF) of a scene, a snapshot or a recorded series, drawn off-screen.
 
-    sq.picture('bed.png', sq.Frame.ofScene(), colour='speed')
+    sq.picture('bed.png', sq.SceneSnapshot.ofScene(), colour='speed')
     sq.animation('impact.gif', sq.RecordedSeries('vtk'), chains=True)
 """
 import os
@@ -9,11 +9,11 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from .. import checks
-from ..measure.frame import Frame
+from ..files.wholefile import ReplacingBytes, requireFolder
+from ..measure.scenesnapshot import SceneSnapshot
+from ..measure.snapshot import Snapshot
 from .renderer import Renderer
 from .renderpieces import COLOURS, Style, camera, hasScale, pieces
-from ..measure.snapshot import Snapshot
-from ..files.wholefile import ReplacingBytes, requireFolder
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
@@ -26,7 +26,7 @@ FOOT = 0.07            # room for the scale below a view, over its height
 def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=-90.0, title='', width=1100):
     """A PNG of one view or several side by side, in the same scale and colours.
 
-    :param views: a `Frame` or `Snapshot`, or a list of such or of (caption, such)
+    :param views: a `SceneSnapshot` or `Snapshot`, or a list of such or of (caption, such)
     :param colour: of the particles: 'plain', 'kind' (shape), 'speed', 'force' (largest normal force), 'pressure', 'octahedralStress', 'contacts';
         None: not drawn
     :param chains: normal forces as tubes between centres, whose section grows with the force; particles are translucent then
@@ -53,8 +53,8 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
               rate=12.0, start=None):
     """A GIF of `frames`, all in the same scale and colours; the caption is the time.
 
-    :param frames: a sequence of `Frame` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for example, no more than
-        one is in memory; it is read twice
+    :param frames: a sequence of `SceneSnapshot` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for
+        example, no more than one is in memory; it is read twice
     :param rate: frames a second, at most 50; the GIF rounds what each lasts to hundredths of a second (12: 0.08 s)
     :param start: the moment [s] from which the time counts; None: the first frame's
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`
@@ -62,12 +62,12 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
     _checkPath(path, '.gif')
     title, start = _text('title', title), None if start is None else checks.finite('start', start)
     rate, frames = checks.within('rate', rate, *RATES), _sequence(frames)
-    style = _style((_frame('frames', frame) for frame in frames), colour, chains, cut, limits, chainLimit)
-    ends = [_frame('frames', frames[place]) for place in (0, -1)]
+    style = _style((_sceneSnapshot('frames', frame) for frame in frames), colour, chains, cut, limits, chainLimit)
+    ends = [_sceneSnapshot('frames', frames[place]) for place in (0, -1)]
     eye, size = _eye(ends, style, elevation, azimuth, width)
     start, images = ends[0].time if start is None else start, []
     with Renderer() as renderer:
-        for frame in (_frame('frames', frame) for frame in frames):
+        for frame in (_sceneSnapshot('frames', frame) for frame in frames):
             figure = _compose([renderer.draw(pieces(frame, style, eye, size), eye, size)], [_clock(frame.time - start)], style, title, eye, DPI // 2)
             images.append(_withPalette(_pixels(figure, DPI // 2), style))
     with ReplacingBytes(path) as file:
@@ -84,30 +84,30 @@ def _withPalette(picture, style):
 
 
 def _views(views):
-    """List of (caption, Frame)."""
-    if isinstance(views, (Frame, Snapshot)):
+    """List of (caption, SceneSnapshot)."""
+    if isinstance(views, (SceneSnapshot, Snapshot)):
         views = [views]
     try:
-        views = [('', view) if isinstance(view, (Frame, Snapshot)) else tuple(view) for view in views]
+        views = [('', view) if isinstance(view, (SceneSnapshot, Snapshot)) else tuple(view) for view in views]
     except TypeError:
         views = [()]
     if not views:
         raise ValueError('views = []: there is nothing to show')
     if any(len(view) != 2 or not isinstance(view[0], str) for view in views):
-        raise ValueError('views: must be a Frame or a Snapshot, or a list of such or of (caption, such)')
-    return [(_text('views', caption), _frame('views', view)) for caption, view in views]
+        raise ValueError('views: must be a SceneSnapshot or a Snapshot, or a list of such or of (caption, such)')
+    return [(_text('views', caption), _sceneSnapshot('views', view)) for caption, view in views]
 
 
-def _frame(name, view):
-    """A `Frame` that can be drawn."""
-    if not isinstance(view, (Frame, Snapshot)):
-        raise ValueError(f'{name} = {view!r}: is no Frame and no Snapshot')
-    frame = Frame.ofSnapshot(view) if isinstance(view, Snapshot) else view
-    lost = ~(np.abs(frame.particles['position']) <= FARTHEST).all(axis=1)
+def _sceneSnapshot(name, view):
+    """A `SceneSnapshot` that can be drawn."""
+    if not isinstance(view, (SceneSnapshot, Snapshot)):
+        raise ValueError(f'{name} = {view!r}: is no SceneSnapshot and no Snapshot')
+    snapshot = SceneSnapshot.ofSnapshot(view) if isinstance(view, Snapshot) else view
+    lost = ~(np.abs(snapshot.particles['position']) <= FARTHEST).all(axis=1)
     if lost.any():
-        row = frame.particles[lost][0]
+        row = snapshot.particles[lost][0]
         raise ValueError(f'{name}: body {row["id"]} is at {tuple(row["position"].tolist())}, which cannot be drawn')
-    return frame
+    return snapshot
 
 
 def _text(name, value):
@@ -123,8 +123,8 @@ def _text(name, value):
 
 def _sequence(frames):
     """`frames` as they are if they can be read twice, else as a list."""
-    if isinstance(frames, (Frame, Snapshot)) or not isinstance(frames, Iterable):
-        raise ValueError('frames: must be a sequence of Frame or Snapshot')
+    if isinstance(frames, (SceneSnapshot, Snapshot)) or not isinstance(frames, Iterable):
+        raise ValueError('frames: must be a sequence of SceneSnapshot or Snapshot')
     frames = frames if isinstance(frames, Sequence) else list(frames)
     if not len(frames):
         raise ValueError('frames = []: there is nothing to show')

@@ -1,8 +1,8 @@
-"""What a frame looks like: triangles and tubes with their colours, and where to look from."""
+"""What a snapshot looks like: triangles and tubes with their colours, and where to look from."""
 import numpy as np
 
 from ..measure import bodyarrays
-from ..measure.frame import Frame
+from ..measure.scenesnapshot import SceneSnapshot
 from ..mesh.surfaces import UPRIGHT, containerSurfaces, particleSurfaces
 
 SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
@@ -19,14 +19,14 @@ ROOM = 1.04            # picture over what is in it
 HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
 LARGE = 2.0            # half size over the median (by volume), above which a particle is not cut away: an impactor
 
-# What colours mean: label, factor from SI, values of a frame.
+# What colours mean: label, factor from SI, values of a snapshot.
 COLOURS = {
     'plain': None, 'kind': None,
-    'speed': ('speed [m/s]', 1.0, lambda frame: frame.speeds()),
-    'force': ('largest normal force [N]', 1.0, lambda frame: frame.largestForces()),
-    'pressure': ('pressure [kPa]', 1e-3, lambda frame: -np.trace(frame.particles['stress'], axis1=1, axis2=2) / 3),
-    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda frame: frame.particles['octahedralStress']),
-    'contacts': ('contacts', 1.0, lambda frame: frame.particles['contacts'].astype(float)),
+    'speed': ('speed [m/s]', 1.0, lambda snapshot: snapshot.speeds()),
+    'force': ('largest normal force [N]', 1.0, lambda snapshot: snapshot.largestForces()),
+    'pressure': ('pressure [kPa]', 1e-3, lambda snapshot: -np.trace(snapshot.particles['stress'], axis1=1, axis2=2) / 3),
+    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda snapshot: snapshot.particles['octahedralStress']),
+    'contacts': ('contacts', 1.0, lambda snapshot: snapshot.particles['contacts'].astype(float)),
 }
 CHAIN_LABEL = 'normal force of contacts [N]'
 
@@ -37,10 +37,10 @@ def hasScale(colour):
 
 
 class Style:
-    """How frames are coloured: all of one picture or animation alike.
+    """How snapshots are coloured: all of one picture or animation alike.
 
     :ivar colour, chains, cut: as in `render.picture`; :ivar limits: of the particles' colours; :ivar chainLimit: [N]; :ivar thickest: radius [m]
-    :ivar kinds: shapes (M, 4); :ivar box: around the particles of all frames (2, 3) [m]
+    :ivar kinds: shapes (M, 4); :ivar box: around the particles of all snapshots (2, 3) [m]
     """
 
     def __init__(self, colour, chains, cut, limits, chainLimit, thickest, kinds, box):
@@ -48,18 +48,18 @@ class Style:
         self.limits, self.chainLimit, self.thickest, self.kinds, self.box = limits, chainLimit, thickest, kinds, box
 
     @classmethod
-    def of(cls, frames, colour, chains, cut, limits, chainLimit):
-        """The style of `frames`, each of which is looked at once."""
+    def of(cls, snapshots, colour, chains, cut, limits, chainLimit):
+        """The style of `snapshots`, each of which is looked at once."""
         values, strongest, sizes, kinds, boxes = [], [], [], np.zeros((0, 4)), []
-        for frame in frames:
+        for snapshot in snapshots:
             if limits is None and hasScale(colour):
-                values.append(COLOURS[colour][1] * COLOURS[colour][2](frame))
-            forces = frame.normalForces()
+                values.append(COLOURS[colour][1] * COLOURS[colour][2](snapshot))
+            forces = snapshot.normalForces()
             strongest.append(_quantile(forces[np.isfinite(forces)], TOP_SHARE))
-            if len(frame.particles):
-                sizes.append(np.median(frame.particles['extents'].min(axis=1)))
-            kinds = np.unique(np.concatenate([kinds, _shapes(frame)]), axis=0)
-            boxes.append(_particleBox(frame))
+            if len(snapshot.particles):
+                sizes.append(np.median(snapshot.particles['extents'].min(axis=1)))
+            kinds = np.unique(np.concatenate([kinds, _shapes(snapshot)]), axis=0)
+            boxes.append(_particleBox(snapshot))
         if values:
             values = np.concatenate(values)
             values = values[np.isfinite(values)]
@@ -79,43 +79,43 @@ class Style:
             result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
         return result
 
-    def colours(self, frame):
+    def colours(self, snapshot):
         """Of the particles, (N, 3) bytes."""
         if self.colour == 'plain':
-            return _bytes(np.tile(MIST, (len(frame.particles), 1)) if self.chains else _plain(frame.particles))
+            return _bytes(np.tile(MIST, (len(snapshot.particles), 1)) if self.chains else _plain(snapshot.particles))
         if self.colour == 'kind':
             # All kinds are in both lists, so their places are those in `kinds`.
-            _, places = np.unique(np.concatenate([self.kinds, _shapes(frame)]), axis=0, return_inverse=True)
+            _, places = np.unique(np.concatenate([self.kinds, _shapes(snapshot)]), axis=0, return_inverse=True)
             return _bytes(KINDS[places.ravel()[len(self.kinds):] % len(KINDS)])
         mappable, _ = self.bars()[0]
         label, factor, values = COLOURS[self.colour]
-        return mappable.to_rgba(factor * values(frame), bytes=True)[:, :3]
+        return mappable.to_rgba(factor * values(snapshot), bytes=True)[:, :3]
 
 
-def pieces(frame, style, eye, size):
-    """What `Renderer.draw` takes: container, particles, force chains of the `frame`, for a picture of `size` pixels."""
-    result, container = [], _container(frame, style)
-    plane = _cutPlane(style, frame, eye['direction'])
-    rows = _kept(frame.particles, plane)
-    shown = frame.particles[rows]
+def pieces(snapshot, style, eye, size):
+    """What `Renderer.draw` takes: container, particles, force chains of the `snapshot`, for a picture of `size` pixels."""
+    result, container = [], _container(snapshot, style)
+    plane = _cutPlane(style, snapshot, eye['direction'])
+    rows = _kept(snapshot.particles, plane)
+    shown = snapshot.particles[rows]
     if style.colour is not None and len(shown):
         surface = particleSurfaces(shown, _details(shown, eye['height'] / size[1]))
         result.append(dict(points=surface.points, triangles=surface.triangles, normals=surface.normals,
-                           colours=style.colours(frame)[rows][surface.owner], opacity=FAINT if style.chains else 1.0))
+                           colours=style.colours(snapshot)[rows][surface.owner], opacity=FAINT if style.chains else 1.0))
     if style.chains:
-        result += _chains(frame, style, plane)
+        result += _chains(snapshot, style, plane)
     if len(container.points):
         result.append(dict(points=container.points, triangles=container.triangles, normals=container.normals, colour=CONTAINER,
                            opacity=GLASS[style.chains], specular=0.0, **({} if plane is None else {'keep': plane})))
     return result
 
 
-def _cutPlane(style, frame, direction):
+def _cutPlane(style, snapshot, direction):
     """(point, normal) of the upright plane through the middle of the container or the particles; None without `cut`."""
     if not style.cut:
         return None
-    finite = np.any(frame.container['kind'] != bodyarrays.WALL)
-    box = Frame(frame.particles[:0], container=frame.container).box() if finite else style.box
+    finite = np.any(snapshot.container['kind'] != bodyarrays.WALL)
+    box = SceneSnapshot(snapshot.particles[:0], container=snapshot.container).box() if finite else style.box
     return box.mean(axis=0), _horizontal(direction)
 
 
@@ -135,9 +135,9 @@ def _details(particles, pixel):
     return np.clip(2.0 ** np.floor(np.log2(asked)), *DETAILS)
 
 
-def _chains(frame, style, plane):
+def _chains(snapshot, style, plane):
     """Tubes from centre to centre, of a section in proportion to the force."""
-    forces, rows = frame.normalForces(), frame.contacts
+    forces, rows = snapshot.normalForces(), snapshot.contacts
     strong = forces > WEAK * style.chainLimit
     if plane is not None:
         strong &= (rows['point'] - plane[0]) @ plane[1] > 0
@@ -149,16 +149,16 @@ def _chains(frame, style, plane):
                  colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]
 
 
-def camera(frames, style, elevation, azimuth):
-    """Camera (see `Renderer.draw`) that sees all between the `frames`, the first one and the last, and height over width of its picture.
+def camera(snapshots, style, elevation, azimuth):
+    """Camera (see `Renderer.draw`) that sees all between the `snapshots`, the first one and the last, and height over width of its picture.
 
     :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [rad]
     """
     direction = -np.array([np.cos(azimuth) * np.cos(elevation), np.sin(azimuth) * np.cos(elevation), np.sin(elevation)])
     right = np.array([-np.sin(azimuth), np.cos(azimuth), 0])
     up = np.cross(right, direction)
-    corners = np.concatenate([_boxCorners(style.box), *(_container(frame, style).points for frame in frames)])
-    plane = _cutPlane(style, frames[0], direction)
+    corners = np.concatenate([_boxCorners(style.box), *(_container(snapshot, style).points for snapshot in snapshots)])
+    plane = _cutPlane(style, snapshots[0], direction)
     if plane is not None:  # what is cut away is not looked at
         corners = corners - np.minimum((corners - plane[0]) @ plane[1], 0)[:, None] * plane[1]
     low, high = (np.array([(corners @ axis).min(), (corners @ axis).max()]) for axis in (right, up))
@@ -171,15 +171,15 @@ def _boxCorners(box):
     return np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T
 
 
-def _particleBox(frame):
+def _particleBox(snapshot):
     """Box around the particles alone, (2, 3) [m]; without any, around the container."""
-    return Frame(frame.particles).box() if len(frame.particles) else frame.box()
+    return SceneSnapshot(snapshot.particles).box() if len(snapshot.particles) else snapshot.box()
 
 
-def _container(frame, style):
-    """`Triangles` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
-    rows, (low, high) = frame.container.copy(), style.box[:, 2]
-    for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(frame.particles) else ():
+def _container(snapshot, style):
+    """`BodySurfaces` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
+    rows, (low, high) = snapshot.container.copy(), style.box[:, 2]
+    for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(snapshot.particles) else ():
         border = rows[row]
         if abs(bodyarrays.matrices(border['orientation'])[2, 2]) > UPRIGHT:
             bottom, top = (border['position'][2] + side * border['numbers'][1] / 2 for side in (-1, 1))
@@ -203,9 +203,9 @@ def _plain(rows):
     return colours
 
 
-def _shapes(frame):
+def _shapes(snapshot):
     """Proportions and exponents (N, 4), rounded: what a kind of particle has in common."""
-    rows = frame.particles
+    rows = snapshot.particles
     return np.round(np.column_stack([rows['extents'][:, 1:] / rows['extents'][:, :1], rows['exponents']]), 3)
 
 

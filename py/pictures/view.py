@@ -9,6 +9,7 @@ import math
 import numpy
 
 from .. import checks
+from ..renamed import oldNames
 
 LARGEST = 16384  # pixels of a window's side: no screen has more
 SCENE = 5  # what lies farther behind or before the aim than so many of its radii is cut off by the camera
@@ -48,7 +49,7 @@ def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
     view.fitSphere(center, radius)
 
 
-def frame():
+def grabImage():
     """The open view as it is now, drawn at once; (height, width, 3) uint8. RuntimeError when none is open."""
     image = _window().grabFramebuffer()
     image = image.convertToFormat(image.Format_RGB888)
@@ -62,3 +63,6 @@ def _window():
         if widget.inherits('yade::GLViewer'):
             return widget
     raise RuntimeError('no 3D view is open: call openView()')
+
+
+__getattr__ = oldNames(__name__, {'frame': 'grabImage'})

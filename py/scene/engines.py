@@ -4,19 +4,41 @@ from collections import Counter
 
 from yade import O
 from yade.wrapper import (
-    Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, BreakableMat, CurvatureMat,
-    ElastoplasticMat, ForceResetter, Ig2_Facet_Sphere_ScGeom, Ig2_Facet_Superquadric_SuperquadricGeom,
-    Ig2_HollowCylinder_Sphere_SuperquadricGeom, Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
-    Ig2_Sphere_Sphere_ScGeom, Ig2_Sphere_Superquadric_SuperquadricGeom,
-    Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Wall_Sphere_ScGeom, Ig2_Wall_Superquadric_SuperquadricGeom,
-    InsertionSortCollider, InteractionLoop, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
-    Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
-    Law2_ScGeom_ElastoplasticPhys_FourPath, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
+    Bo1_Facet_Aabb,
+    Bo1_HollowCylinder_Aabb,
+    Bo1_Sphere_Aabb,
+    Bo1_Superquadric_Aabb,
+    Bo1_Wall_Aabb,
+    BreakableMat,
+    CurvatureMat,
+    ElastoplasticMat,
+    ForceResetter,
+    Ig2_Facet_Sphere_ScGeom,
+    Ig2_Facet_Superquadric_SuperquadricGeom,
+    Ig2_HollowCylinder_Sphere_SuperquadricGeom,
+    Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
+    Ig2_Sphere_Sphere_ScGeom,
+    Ig2_Sphere_Superquadric_SuperquadricGeom,
+    Ig2_Superquadric_Superquadric_SuperquadricGeom,
+    Ig2_Wall_Sphere_ScGeom,
+    Ig2_Wall_Superquadric_SuperquadricGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
+    Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys,
+    Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    Law2_ScGeom_ElastoplasticPhys_LoadingUnloading,
+    NewtonIntegrator,
+    Sphere,
+    Superquadric,
+    SuperquadricInteractionLoop,
+)
 
 from .. import checks
+from .contactlaws import CURVATURE, ELASTOPLASTIC
 
-LAWS = {'curvature': (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
-        'elastoplastic': (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
+LAWS = {CURVATURE: (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
+        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading)}
 
 
 def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):
@@ -68,8 +90,8 @@ def _lawFor(law):
     elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)
                      and not (isinstance(body.mat, BreakableMat) and math.isinf(body.mat.yieldStress))]
     if law is None:
-        return 'elastoplastic' if elastoplastic else 'curvature'
-    if checks.oneOf('law', law, LAWS) == 'curvature':
+        return ELASTOPLASTIC if elastoplastic else CURVATURE
+    if checks.oneOf('law', law, LAWS) == CURVATURE:
         for body in elastoplastic:
             if math.isfinite(body.mat.yieldStress):
                 raise ValueError(f'law = {law!r}: it knows no yielding, but body {body.id} has an ElastoplasticMat with '

@@ -29,6 +29,7 @@ from .engines import engine
 
 WHOLE_SCENE = (BreakageEngine, VibratingBoxEngine)  # engines that need all bodies in one process
 MOVERS = (KinematicEngine, BoundaryController)      # engines that move walls
+VTK_RECORDER = 'superquadric.vtk.recorder'          # stands in the command of the PyRunner that vtkRecorder makes
 SPARED = ('unboundRemoteBodies', 'eraseRemote')     # functions of mpy, see _split
 
 
@@ -175,7 +176,7 @@ def _checkEnginesAndWalls():
             raise ValueError(f'engine = {type(each).__name__}: it needs the whole scene in one process')
         if isinstance(each, MOVERS):
             raise ValueError(f'engine = {type(each).__name__}: walls cannot move on several ranks')
-        if isinstance(each, PyRunner) and 'vtkrecorder' in each.command:
+        if isinstance(each, PyRunner) and VTK_RECORDER in each.command:
             raise ValueError('engine = vtkRecorder: each rank would write its own part under the same names; record on rank 0 after merge')
     # Rank 0 tells no other rank where its bodies are: a wall that moved would stand still for the particles.
     for body in O.bodies:
@@ -235,13 +236,13 @@ class Totals:
 
     def record(self):
         """Called on all ranks in the same step."""
-        mine = rank()
-        states = [body.state for body in O.bodies if body.subdomain == mine and not body.isSubdomain and body.dynamic]
+        own = rank()
+        states = [body.state for body in O.bodies if body.subdomain == own and not body.isSubdomain and body.dynamic]
         momentum = sum((state.mass * state.vel for state in states), Vector3.Zero)
         parts = [(len(states), tuple(momentum), dict(O.energy.items()))]
         if O.splitted:
             parts = _mpy().comm.gather(parts[0], root=0)
-        if mine:
+        if own:
             return
         numbers, momenta, energies = zip(*parts)
         force = sum((O.forces.f(support) for support in self.supports), Vector3.Zero)

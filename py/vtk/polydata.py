@@ -1,10 +1,10 @@
-"""Frames as VTK's PolyData files (.vtp) for ParaView, written and read by VTK's own classes (Debian: python3-vtk9)."""
+"""Snapshots as VTK's PolyData files (.vtp) for ParaView, written and read by VTK's own classes (Debian: python3-vtk9)."""
 import os
 
 import numpy as np
 
-from ..measure import bodyarrays
 from ..files import summed
+from ..measure import bodyarrays
 from ..mesh import surfaces
 
 MISSING = 'VTK\'s Python modules are missing: install python3-vtk9, or start with tools/env --with view'
@@ -18,26 +18,26 @@ def requireVtk():
         raise ImportError(MISSING) from None
 
 
-def surfaceData(frame, detail=surfaces.DETAIL, normals=False):
+def surfaceData(snapshot, detail=surfaces.DETAIL, normals=False):
     """vtkPolyData of the particles' surfaces; all arrays of `particleArrays` on their points."""
-    surface = surfaces.particleSurfaces(frame.particles, detail)
+    surface = surfaces.particleSurfaces(snapshot.particles, detail)
     data = polyData(surface.points, polygons=surface.triangles)
-    for name, values in particleArrays(frame.particles).items():
+    for name, values in particleArrays(snapshot.particles).items():
         _add(data.GetPointData(), name, values[surface.owner])
     if normals:
         _add(data.GetPointData(), 'normals', surface.normals.astype('f4'))
         data.GetPointData().SetActiveNormals('normals')
-    return _timed(data, frame)
+    return _timed(data, snapshot)
 
 
-def particleData(frame):
+def particleData(snapshot):
     """vtkPolyData of one point a particle, with what a glyph needs: halfSizes, and orientation as ParaView's quaternion (w, x, y, z)."""
-    rows = frame.particles
+    rows = snapshot.particles
     data = polyData(rows['position'], vertices=np.arange(len(rows))[:, None])
     glyph = {'halfSizes': rows['extents'].astype('f4'), 'orientation': np.roll(rows['orientation'], 1, axis=1).astype('f4')}
     for name, values in {**glyph, **particleArrays(rows)}.items():
         _add(data.GetPointData(), name, values)
-    return _timed(data, frame)
+    return _timed(data, snapshot)
 
 
 def particleArrays(rows):
@@ -45,13 +45,13 @@ def particleArrays(rows):
     stress = rows['stress'].reshape(-1, 9)
     return {'id': rows['id'].astype('i4'), 'kind': rows['kind'].astype('i1'), 'material': rows['material'].astype('i2'),
             'exponents': rows['exponents'].astype('f4'), 'volume': rows['volume'].astype('f4'), 'velocity': rows['velocity'].astype('f4'),
-            'spin': rows['spin'].astype('f4'), 'stress': stress.astype('f4'), 'pressure': (-stress[:, ::4].sum(axis=1) / 3).astype('f4'),
+            'angVel': rows['angVel'].astype('f4'), 'stress': stress.astype('f4'), 'pressure': (-stress[:, ::4].sum(axis=1) / 3).astype('f4'),
             'octahedralStress': rows['octahedralStress'].astype('f4'), 'contacts': rows['contacts'].astype('i2')}
 
 
-def contactData(frame):
+def contactData(snapshot):
     """vtkPolyData of a line for each contact, from centre to centre; the size of the normal force also on the points, for tubes."""
-    rows = frame.contacts
+    rows = snapshot.contacts
     ends = np.stack([rows['centre1'], rows['centre2']], axis=1).reshape(-1, 3)
     data = polyData(ends, lines=np.arange(len(ends)).reshape(-1, 2))
     for name in ('id1', 'id2'):
@@ -59,21 +59,21 @@ def contactData(frame):
     for name, column in (('normalForce', 'normalForce'), ('shearForce', 'shearForce'), ('overlap', 'overlap'), ('contactPoint', 'point')):
         _add(data.GetCellData(), name, rows[column].astype('f4'))
     _add(data.GetPointData(), 'force', np.repeat(np.linalg.norm(rows['normalForce'], axis=1).astype('f4'), 2))
-    return _timed(data, frame)
+    return _timed(data, snapshot)
 
 
-def containerData(frame):
+def containerData(snapshot):
     """vtkPolyData of walls, hollow cylinders and facets, with id and kind on the triangles. What is no facet also stands as numbers in the field
     data `borders`, in the order of the columns of BORDER.
     """
-    surface = surfaces.containerSurfaces(frame.container, frame.box())
+    surface = surfaces.containerSurfaces(snapshot.container, snapshot.box())
     data = polyData(surface.points, polygons=surface.triangles)
     owner = surface.owner[surface.triangles[:, 0]]
-    _add(data.GetCellData(), 'id', frame.container['id'][owner].astype('i4'))
-    _add(data.GetCellData(), 'kind', frame.container['kind'][owner].astype('i1'))
-    rest = frame.container[frame.container['kind'] != bodyarrays.FACET]
+    _add(data.GetCellData(), 'id', snapshot.container['id'][owner].astype('i4'))
+    _add(data.GetCellData(), 'kind', snapshot.container['kind'][owner].astype('i1'))
+    rest = snapshot.container[snapshot.container['kind'] != bodyarrays.FACET]
     _add(data.GetFieldData(), 'borders', np.column_stack([rest[name] for name in bodyarrays.BORDER.names]))
-    return _timed(data, frame)
+    return _timed(data, snapshot)
 
 
 def polyData(points, **cells):
@@ -106,10 +106,10 @@ def _add(attributes, name, values):
     attributes.AddArray(array)
 
 
-def _timed(data, frame):
-    """The data with the frame's time and step, as ParaView reads them."""
-    _add(data.GetFieldData(), 'TimeValue', np.array([frame.time]))
-    _add(data.GetFieldData(), 'step', np.array([frame.step], dtype='i8'))
+def _timed(data, snapshot):
+    """The data with the snapshot's time and step, as ParaView reads them."""
+    _add(data.GetFieldData(), 'TimeValue', np.array([snapshot.time]))
+    _add(data.GetFieldData(), 'step', np.array([snapshot.step], dtype='i8'))
     return data
 
 

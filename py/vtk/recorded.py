@@ -1,4 +1,4 @@
-"""A recorded series (`vtkRecorder`) read back as frames, for pictures and for measures."""
+"""A recorded series (`vtkRecorder`) read back as snapshots, for pictures and for measures."""
 import os
 from collections.abc import Sequence
 from copy import copy
@@ -6,13 +6,14 @@ from copy import copy
 import numpy as np
 
 from ..measure import bodyarrays
+from ..measure.scenesnapshot import SceneSnapshot
 from . import polydata
-from ..measure.frame import Frame
 from .series import Series
 
 
 class RecordedSeries(Sequence):
-    """The series in `folder`: a sequence of `Frame`, each read when it is asked for, in the single precision of the files. A slice is such a series.
+    """The series in `folder`: a sequence of `SceneSnapshot`, each read when it is asked for, in the single precision of the files. A slice
+    is such a series.
 
     :raises ValueError: there is none, or a file is missing, damaged or another program's
     """
@@ -33,7 +34,7 @@ class RecordedSeries(Sequence):
             part.moments = self.moments[place]
             return part
         moment = self.moments[place]
-        return Frame(self._read(moment.file, moment, _particles), self._optional('contacts', moment, _contacts),
+        return SceneSnapshot(self._read(moment.file, moment, _particles), self._optional('contacts', moment, _contacts),
                      self._optional('container', moment, _container), moment.step, moment.time)
 
     def _read(self, file, moment, convert):
@@ -58,7 +59,7 @@ def _particles(data):
     rows['position'] = polydata.points(data)
     rows['extents'], rows['orientation'] = values['halfSizes'], np.roll(values['orientation'], -1, axis=1)
     rows['stress'] = values['stress'].reshape(-1, 3, 3)
-    for name in ('id', 'kind', 'material', 'contacts', 'exponents', 'velocity', 'spin', 'volume', 'octahedralStress'):
+    for name in ('id', 'kind', 'material', 'contacts', 'exponents', 'velocity', 'angVel', 'volume', 'octahedralStress'):
         rows[name] = values[name]
     return rows
 
@@ -78,8 +79,8 @@ def _container(data):
     rest['id'], rest['kind'] = numbers[:, 0], numbers[:, 1]
     rest['position'], rest['orientation'], rest['numbers'] = numbers[:, 2:5], numbers[:, 5:9], numbers[:, 9:]
     cells, corners = polydata.arrays(data.GetCellData()), polydata.triangles(data)
-    mine = cells['kind'] == bodyarrays.FACET
-    facets = np.zeros(np.count_nonzero(mine), bodyarrays.BORDER)
-    facets['id'], facets['kind'] = cells['id'][mine], bodyarrays.FACET
-    facets['numbers'] = polydata.points(data)[corners[mine]].reshape(-1, 9)
+    isFacet = cells['kind'] == bodyarrays.FACET
+    facets = np.zeros(np.count_nonzero(isFacet), bodyarrays.BORDER)
+    facets['id'], facets['kind'] = cells['id'][isFacet], bodyarrays.FACET
+    facets['numbers'] = polydata.points(data)[corners[isFacet]].reshape(-1, 9)
     return np.concatenate([rest, facets])

@@ -6,10 +6,10 @@ from yade import O
 from yade.wrapper import PyRunner
 
 from .. import checks
-from . import polydata
-from ..scene.bodies import present
-from ..measure.frame import Frame
+from ..measure.scenesnapshot import SceneSnapshot
 from ..mesh.surfaces import DETAIL
+from ..scene.bodies import present
+from . import polydata
 from .series import Series
 
 SERIES = ('particles', 'surfaces', 'contacts', 'container')
@@ -52,17 +52,17 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     if not os.access(folder, os.W_OK):
         raise PermissionError(f'folder = {folder!r}: cannot be written to')
     arguments = ', '.join(f'{name}={value!r}' for name, value in what.items())
-    command = f"__import__('yade.superquadric.vtkrecorder', fromlist=['record']).record({folder!r}, {arguments})"
+    command = f"__import__('{__name__}', fromlist=['record']).record({folder!r}, {arguments})"
     return PyRunner(command=command, updateGlobals=False, initRun=initRun, label=label, **periods)
 
 
 def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
-    frame = Frame.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
-    data = {'particles': lambda: polydata.particleData(frame), 'surfaces': lambda: polydata.surfaceData(frame, detail, normals),
-            'contacts': lambda: polydata.contactData(frame), 'container': lambda: polydata.containerData(frame)}
+    snapshot = SceneSnapshot.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
+    data = {'particles': lambda: polydata.particleData(snapshot), 'surfaces': lambda: polydata.surfaceData(snapshot, detail, normals),
+            'contacts': lambda: polydata.contactData(snapshot), 'container': lambda: polydata.containerData(snapshot)}
     for series in _series(folder, {'surfaces': surfaces, 'contacts': contacts, 'container': container}):
-        series.append(frame.step, frame.time, lambda path, make=data[series.name]: polydata.write(path, make()))
+        series.append(snapshot.step, snapshot.time, lambda path, make=data[series.name]: polydata.write(path, make()))
 
 
 def _series(folder, wanted):

@@ -14,11 +14,22 @@ import numpy as np
 from yade import O
 from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
-from yade.superquadric.scene import settling
 from yade.wrapper import (
-    Bo1_Sphere_Aabb, Bo1_Wall_Aabb, CurvatureMat, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom,
-    InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_MindlinPhys, Law2_ScGeom_MindlinPhys_Mindlin,
-    NewtonIntegrator)
+    Bo1_Sphere_Aabb,
+    Bo1_Wall_Aabb,
+    CurvatureMat,
+    ForceResetter,
+    FrictMat,
+    Ig2_Sphere_Sphere_ScGeom,
+    Ig2_Wall_Sphere_ScGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_FrictMat_FrictMat_MindlinPhys,
+    Law2_ScGeom_MindlinPhys_Mindlin,
+    NewtonIntegrator,
+)
+
+from yade.superquadric.scene import settlingrules
 
 RADIUS = 5e-3                   # m, of the sphere of a particle's volume
 WIDTH = 0.168                   # m, of the box: the cross section of a cylinder 19 cm wide,
@@ -126,7 +137,7 @@ def pour(kind, count):
     rests = sq.settle(stepper, sq.RestCriterion(ids, walls), MAX_TIME)
     if softening != 1:
         sq.stiffen(stepper, softening, STEP)
-        criterion = sq.RestCriterion(ids, walls, settling.TRUE_QUIET, settling.TRUE_SUPPORT)
+        criterion = sq.RestCriterion(ids, walls, settlingrules.TRUE_QUIET, settlingrules.TRUE_SUPPORT)
         rests = sq.settle(stepper, criterion, MAX_TIME) and rests
     facts = {'kind': kind, 'count': count, 'steps': O.iter, 'rests': rests, 'seconds': stepper.seconds,
              'kineticEnergy': sq.RestCriterion(ids, walls).kineticEnergy(), 'contacts': O.interactions.countReal(),

@@ -47,7 +47,7 @@ def volume(surface):
 
 
 def hull(points):
-    """The convex hull as a `Surface` that faces outward, and its volume by another program; the example is dropped if it is nearly flat."""
+    """The convex hull as a `TriangleMesh` that faces outward, and its volume by another program; the example is dropped if it is nearly flat."""
     table = numpy.array(points)
     assume(len(table) > 3 and numpy.linalg.svd(table - table.mean(axis=0))[1][-1] > 1e-2)
     found = ConvexHull(table)
@@ -57,13 +57,13 @@ def hull(points):
     assume(numpy.linalg.norm(across, axis=1).min() > 1e-6)
     inward = numpy.einsum('ij,ij->i', across, found.equations[:, :3]) < 0
     triangles[inward] = triangles[inward][:, ::-1]
-    return sq.Surface(table, triangles, 'hull'), found.volume
+    return sq.TriangleMesh(table, triangles, 'hull'), found.volume
 
 
 @fuzz(weight=4, points=st.one_of(st.lists(vector, max_size=4), anything), triangles=st.one_of(st.lists(vector, max_size=3), anything),
       name=st.one_of(st.just('mine'), anything), closed=st.one_of(st.booleans(), anything))
 def test_surfacesOfAnything(points, triangles, name, closed):
-    surface, no = refused(lambda: sq.Surface(points, triangles, name), *MADE_OF)
+    surface, no = refused(lambda: sq.TriangleMesh(points, triangles, name), *MADE_OF)
     if not no:
         assert surface.points.shape[1] == surface.triangles.shape[1] == 3
         refused(lambda: surface.check(closed), surface.name, 'triangles', 'closed')
@@ -72,7 +72,7 @@ def test_surfacesOfAnything(points, triangles, name, closed):
 @fuzz(weight=4, what=soup, closed=st.booleans())
 def test_soupsAreJudgedByTheirEdges(what, closed):
     """A surface that is accepted has each edge once, and once the other way where it is closed; then the sign of its volume is the way it faces."""
-    surface, no = refused(lambda: sq.Surface(*what, 'soup'), *MADE_OF)
+    surface, no = refused(lambda: sq.TriangleMesh(*what, 'soup'), *MADE_OF)
     facing, no = (surface, no) if no else refused(lambda: surface.check(closed), 'soup', 'triangles')
     if no:
         return
@@ -88,11 +88,11 @@ def test_hulls(points, scale, inward, missing):
     """Of any size: outward, inward, or open where a triangle is missing; the volume is that of the program that made the hull."""
     outward, expected = hull(points)
     triangles = outward.triangles[:, ::-1] if inward else outward.triangles
-    surface = sq.Surface(scale * outward.points, triangles, 'hull')
+    surface = sq.TriangleMesh(scale * outward.points, triangles, 'hull')
     assert surface.check() == ('inward' if inward else 'outward')
     if 1e-30 < expected * scale ** 3 < 1e30:
         assert math.isclose(sq.regions.Mesh(surface).volume, expected * scale ** 3, rel_tol=1e-9)
-    opened = sq.Surface(surface.points, numpy.delete(triangles, missing, axis=0), 'hull')
+    opened = sq.TriangleMesh(surface.points, numpy.delete(triangles, missing, axis=0), 'hull')
     assert opened.check(closed=False) == 'open'
     assert refused(opened.check, 'hull: 3 edges with one triangle only')[1]
 
@@ -103,7 +103,7 @@ def test_whatIsWrittenIsRead(points, triangles, path):
     """To single precision; what that cannot hold is refused and no file is written."""
     if os.path.exists(path):
         os.remove(path)
-    surface = sq.Surface(points, triangles)
+    surface = sq.TriangleMesh(points, triangles)
     _, no = refused(lambda: sq.writeStl(path, surface), 'points', 'triangles', also=FileNotFoundError)
     good = 0 <= surface.triangles.min() and surface.triangles.max() < len(points)
     if good:
@@ -112,12 +112,12 @@ def test_whatIsWrittenIsRead(points, triangles, path):
     assert no == (not good or path == 'no/folder')
     assert not os.path.exists(f'{path}.part') and os.path.exists(path) != no
     if not no:
-        read, written = sq.readSurface(path), surface.points[surface.triangles].astype('f4')
+        read, written = sq.readStl(path), surface.points[surface.triangles].astype('f4')
         found, whole = read.points[read.triangles], numpy.isfinite(written).all(axis=2)
         assert numpy.array_equal(found[whole], written[whole]) and numpy.array_equal(numpy.isfinite(found).all(axis=2), whole)
 
 
-@fuzz(weight=2, path=anything, surface=st.one_of(st.just(sq.Surface(numpy.eye(3), [[0, 1, 2]])), anything))
+@fuzz(weight=2, path=anything, surface=st.one_of(st.just(sq.TriangleMesh(numpy.eye(3), [[0, 1, 2]])), anything))
 def test_writingAnythingAnywhere(path, surface):
     """Nothing half written is left behind; a missing folder is the system's own error."""
     if isinstance(path, str) and ('/' in path or '..' in path):
@@ -127,7 +127,7 @@ def test_writingAnythingAnywhere(path, surface):
     if no:
         assert sorted(os.listdir()) == before
     else:
-        assert len(sq.readSurface(path).triangles) == 1
+        assert len(sq.readStl(path).triangles) == 1
         os.remove(path)
 
 
@@ -135,10 +135,10 @@ def test_writingAnythingAnywhere(path, surface):
 def test_placing(points, scale, position, turn):
     surface, _ = hull(points)
     sq.writeStl('placed.stl', surface)
-    read, no = refused(lambda: sq.readSurface('placed.stl', scale, position, turn), 'scale', 'position', 'orientation')
+    read, no = refused(lambda: sq.readStl('placed.stl', scale, position, turn), 'scale', 'position', 'orientation')
     if no:
         return
-    plain = sq.readSurface('placed.stl')
+    plain = sq.readStl('placed.stl')
     expected = [float(scale) * (turn * Vector3(*x)) + Vector3(*map(float, position)) for x in plain.points.tolist()]
     assert numpy.abs(read.points - expected).max() <= 1e-13 * max(5e-324, float(numpy.abs(expected).max()), float(scale))
     assert numpy.array_equal(read.triangles, plain.triangles)
@@ -149,7 +149,7 @@ def test_placing(points, scale, position, turn):
 def test_containers(points, missing, closed, scale, material):
     """Of an accepted one every triangle is a facet; a refused one leaves the scene as it was."""
     surface, _ = hull(points)
-    sq.writeStl('container.stl', sq.Surface(surface.points, surface.triangles[missing:]))
+    sq.writeStl('container.stl', sq.TriangleMesh(surface.points, surface.triangles[missing:]))
     O.reset()
     O.materials.append(CurvatureMat(young=1e8, poisson=0.2, density=2500, frictionAngle=0.4))
     given = O.materials[0] if material is None else material

@@ -12,9 +12,9 @@ from yade.superquadric.experiments.damper import parameters as damperparameters
 from yade.superquadric.experiments.oedometer import parameters as oedometerparameters
 from yade.superquadric.experiments.impact import parameters
 from yade.superquadric.files import results, yamlfile
-from yade.superquadric.materials.library import FOLDER
+from yade.superquadric.materials.shipped import FOLDER
 from yade.superquadric.runs.parameters import fromFile
-from yade.superquadric.materials import file as materialfile
+from yade.superquadric.materials import materialfile
 from yade.superquadric.study import plan as plans, studyfile
 
 from fuzzing import anything, fuzz, number, refused

@@ -71,7 +71,7 @@ def frame(places=((0, 0, 5e-3), (0, 0, 14.9e-3)), speed=(0, 0, 1)):
     O.engines, O.dt = sq.superquadricEngines(), 1e-9
     O.step()
     O.bodies[3].state.vel = Vector3(*speed)
-    return sq.Frame.ofScene()
+    return sq.SceneSnapshot.ofScene()
 
 
 def settings(changes, limits):
@@ -114,7 +114,7 @@ part = st.sampled_from(('frame', 'snapshot', 'empty', 'nothing'))
                                 st.lists(st.one_of(part, st.tuples(text, part), anything), max_size=3), anything), gif=st.booleans())
 def test_viewsOfAnything(folder, views, gif):
     here = frame()
-    known = {'frame': here, 'snapshot': sq.Snapshot.ofBodies([2, 3]), 'empty': sq.Frame(here.particles[:0]), 'nothing': sq.Snapshot.ofBodies([])}
+    known = {'frame': here, 'snapshot': sq.Snapshot.ofBodies([2, 3]), 'empty': sq.SceneSnapshot(here.particles[:0]), 'nothing': sq.Snapshot.ofBodies([])}
 
     def made(value):
         if isinstance(value, (list, tuple)):
@@ -137,7 +137,7 @@ def test_scenesThatFlewApart(folder, places, speed, changes):
     for row, place in zip(rows, places):
         row['position'] = place
     rows['velocity'] = speed
-    apart = sq.Frame(rows, here.contacts, here.container)
+    apart = sq.SceneSnapshot(rows, here.contacts, here.container)
     show(folder, 'a.png', lambda path: sq.picture(path, apart, **{**settings(changes, None), 'width': 60}), *LOOKS, 'views')
 
 

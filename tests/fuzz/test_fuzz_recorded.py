@@ -47,7 +47,7 @@ def series(tmp_path_factory):
         vtkrecorder.record(folder, detail=0.2)
     WHOLE['frame'] = str(tmp_path_factory.mktemp('frame'))
     for name in ('frame.npz', 'later.npz'):
-        sq.Frame.ofScene().save(os.path.join(WHOLE['frame'], name))
+        sq.SceneSnapshot.ofScene().save(os.path.join(WHOLE['frame'], name))
         O.step()
     WHOLE['frames'] = list(sq.RecordedSeries(folder))
     WHOLE['files'] = [os.path.relpath(os.path.join(here, name), folder)
@@ -93,8 +93,8 @@ def test_goingOnWithADamagedSeries(place, name, how):
 @fuzz(weight=5, how=damage)
 def test_damagedFrames(place, how):
     isOther = copyWith(WHOLE['frame'], place, 'frame.npz', how)
-    path, wholes = os.path.join(place, 'frame.npz'), [sq.Frame.load(os.path.join(WHOLE['frame'], name)) for name in ('frame.npz', 'later.npz')]
-    frame, no = refused(lambda: sq.Frame.load(path), path)
+    path, wholes = os.path.join(place, 'frame.npz'), [sq.SceneSnapshot.load(os.path.join(WHOLE['frame'], name)) for name in ('frame.npz', 'later.npz')]
+    frame, no = refused(lambda: sq.SceneSnapshot.load(path), path)
     if no:
         assert isinstance(frame, ValueError) and isOther
     else:
@@ -105,7 +105,7 @@ def test_damagedFrames(place, how):
       keep=st.booleans())
 def test_framesOfAnything(particles, contacts, container, step, time, keep):
     given = WHOLE['frames'][0].particles if keep else particles
-    frame, no = refused(lambda: sq.Frame(given, contacts, container, step, time), *TABLES, 'step', 'time')
+    frame, no = refused(lambda: sq.SceneSnapshot(given, contacts, container, step, time), *TABLES, 'step', 'time')
     if not no:
         assert frame.box().shape == (2, 3) and len(frame.speeds()) == len(frame.largestForces()) == len(frame.particles)
 
@@ -114,7 +114,7 @@ def test_framesOfAnything(particles, contacts, container, step, time, keep):
 def test_framesOfAnyBodies(ids, erased):
     scene()
     O.bodies.erase(erased)
-    frame, no = refused(lambda: sq.Frame.ofScene(ids), 'ids')
+    frame, no = refused(lambda: sq.SceneSnapshot.ofScene(ids), 'ids')
     if not no and ids is not None:
         assert set(frame.particles['id']) <= set(map(int, ids))
 

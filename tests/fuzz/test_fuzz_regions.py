@@ -9,6 +9,7 @@ from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
 from yade.superquadric.mesh.regions import BOX_TRIANGLES, Box, Cylinder, HalfSpaces, Mesh
+from yade.superquadric.scene.shapes import unitVolume
 
 from fuzzing import anything, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size, vector
 
@@ -28,7 +29,7 @@ def bed(solids, scale, away=(0, 0, 0)):
 
 def volumes(snapshot):
     """Of the whole particles [m3]."""
-    return [math.prod(extents) * sq.bodies.unitVolume(*exponents) for extents, exponents in zip(snapshot.extents, snapshot.exponents)]
+    return [math.prod(extents) * unitVolume(*exponents) for extents, exponents in zip(snapshot.extents, snapshot.exponents)]
 
 
 def ordered(measured, whole):
@@ -49,7 +50,7 @@ def touches(snapshot, box):
 
 
 def boxMesh(box):
-    return Mesh(sq.Surface([[(box.low, box.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)], BOX_TRIANGLES, 'box'))
+    return Mesh(sq.TriangleMesh([[(box.low, box.high)[i >> axis & 1][axis] for axis in range(3)] for i in range(8)], BOX_TRIANGLES, 'box'))
 
 
 @fuzz(weight=3, solids=st.lists(solid, min_size=1, max_size=3), scale=size, low=corner, high=corner, axis=st.integers(0, 2),

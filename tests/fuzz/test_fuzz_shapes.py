@@ -6,7 +6,7 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import HollowCylinder, Superquadric
 
 import yade.superquadric as sq
-from yade.superquadric.scene.bodies import SHAPES
+from yade.superquadric.scene.shapes import SHAPES
 
 from fuzzing import anything, direction, exponent, finite, fuzz, number, quaternion, ratio, refused, size, vector
 

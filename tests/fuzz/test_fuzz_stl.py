@@ -14,7 +14,7 @@ from damage import damage, damaged
 from fuzzing import fuzz, refused
 
 SLOW = 20  # s that no small file takes, on a busy machine either
-CUBE = sq.Surface([[i >> axis & 1 for axis in range(3)] for i in range(8)], sq.regions.BOX_TRIANGLES, 'cube')
+CUBE = sq.TriangleMesh([[i >> axis & 1 for axis in range(3)] for i in range(8)], sq.regions.BOX_TRIANGLES, 'cube')
 
 
 def asText(surface, eol='\n'):
@@ -31,11 +31,11 @@ def file(tmp_path_factory):
 
 
 def read(file, content):
-    """(Surface, False), or (ValueError, True) that names the file."""
+    """(TriangleMesh, False), or (ValueError, True) that names the file."""
     with open(file, 'wb') as stream:
         stream.write(content)
     begin = time.monotonic()
-    answer, no = refused(lambda: sq.readSurface(file), file)
+    answer, no = refused(lambda: sq.readStl(file), file)
     assert time.monotonic() - begin < SLOW
     if no:
         assert isinstance(answer, ValueError)
@@ -93,7 +93,7 @@ def test_binaryFilesOfAnyNumbers(file, header, claimed, body, rest):
 @fuzz(points=st.lists(st.tuples(*[st.floats(allow_nan=False, allow_infinity=False)] * 3), min_size=3, max_size=6),
       eol=st.sampled_from(('\n', '\r\n', ' ')))
 def test_textsKeepAllDigits(file, points, eol):
-    surface = sq.Surface(points, [[i, i + 1, i + 2] for i in range(len(points) - 2)])
+    surface = sq.TriangleMesh(points, [[i, i + 1, i + 2] for i in range(len(points) - 2)])
     found, no = read(file, asText(surface, eol))
     assert not no and numpy.array_equal(found.points[found.triangles], surface.points[surface.triangles])
 
@@ -101,5 +101,5 @@ def test_textsKeepAllDigits(file, points, eol):
 @fuzz(path=st.sampled_from(('', '.', '..', '/', '/dev/null', 'no such', 'nul\0l', 'x' * 5000, '\udc80')))
 def test_whatIsNoFile(path):
     for name in (path, os.path.join(path, 'x.stl')):
-        error, no = refused(lambda name=name: sq.readSurface(name), name, repr(name))
+        error, no = refused(lambda name=name: sq.readStl(name), name, repr(name))
         assert no and isinstance(error, ValueError)

@@ -47,7 +47,7 @@ def test_tessellations(shape, share):
     assert 0 < found.error <= error * (1 + 1e-12)
     assert all(abs(gauge(shape, x) - 1) < 1e-12 for x in found.points[::1 + len(found.points) // 50].tolist())
     assert numpy.abs(numpy.linalg.norm(found.normals, axis=1) - 1).max() < 1e-12
-    assert sq.Surface(found.points, found.triangles).check() == 'outward'
+    assert sq.TriangleMesh(found.points, found.triangles).check() == 'outward'
     inner, outer = enclosed(found, found.error)
     assert inner <= volume(shape) * (1 + 1e-12) and volume(shape) <= outer * (1 + 1e-12)
 
@@ -79,6 +79,6 @@ def test_particlesToStl(file, shapes, scale, error, ids):
     assert os.path.exists(file) != no
     if no or ids is not None:
         return
-    inner, outer = enclosed(sq.readSurface(file), scale * error * (1 + 1e-3))
+    inner, outer = enclosed(sq.readStl(file), scale * error * (1 + 1e-3))
     whole = sum(body.shape.volume() for body in O.bodies)
     assert inner <= whole * (1 + 1e-3) and whole <= outer * (1 + 1e-3)  # single precision

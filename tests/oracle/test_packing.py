@@ -24,7 +24,7 @@ def star(outer, inner, low, high):
     for i in range(10):
         k = (i + 1) % 10
         triangles += [(i, k, 10 + k), (i, 10 + k, 10 + i), (k, i, 20), (10 + i, 10 + k, 21)]
-    return sq.Surface(points, triangles, 'star')
+    return sq.TriangleMesh(points, triangles, 'star')
 
 
 def inStar(points, outer, inner, low, high):
@@ -121,7 +121,7 @@ def test_volumesOfRegions():
     upper = regions.HalfSpaces((((0, 0, -1), -0.02),), CASES['mesh'][0])
     assert upper.volume == pytest.approx(CASES['mesh'][0].volume * (STAR[3] - 0.02) / (STAR[3] - STAR[2]))
     surface = star(*STAR)
-    assert regions.Mesh(sq.Surface(surface.points, surface.triangles[:, ::-1])).volume == pytest.approx(CASES['mesh'][0].volume)
+    assert regions.Mesh(sq.TriangleMesh(surface.points, surface.triangles[:, ::-1])).volume == pytest.approx(CASES['mesh'][0].volume)
 
 
 def test_voxelsOfMeasureBed(bed):
@@ -153,7 +153,7 @@ def alone(snapshot):
     (lambda: regions.HalfSpaces((((0, 0, 0), 1),), regions.Box((0, 0, 0), (1, 1, 1))), 'must not be zero'),
     (lambda: regions.HalfSpaces((), None), 'within = None'),
     (lambda: sq.packingFraction([], regions.HalfSpaces((((0, 0, 1), -1),), regions.Box((0, 0, 0), (1, 1, 1)))), 'region = .*: is empty'),
-    (lambda: regions.Mesh(sq.Surface(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
+    (lambda: regions.Mesh(sq.TriangleMesh(star(*STAR).points, star(*STAR).triangles[1:], 'lid')), '^lid: 3 edges'),
     (lambda: sq.packingFraction([], regions.Box((0, 0, 0), (1, 1, 1)), accuracy=0), 'accuracy = 0')))
 def test_badInput(make, complaint):
     with pytest.raises(ValueError, match=complaint):

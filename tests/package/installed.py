@@ -2,7 +2,7 @@
 import os
 
 from yade import config, superquadric as sq
-from yade.superquadric.materials.library import elastoplasticMat
+from yade.superquadric.materials.elastoplastic import elastoplasticMat
 
 assert 'YADE_PREFIX' not in os.environ
 assert os.path.isfile(os.path.join(config.libDir, 'libsuperquadric.so'))

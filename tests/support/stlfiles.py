@@ -19,10 +19,10 @@ def revolved(profile, sides, name='bin'):
         for i in range(sides):
             a, b, c, d = below[i % len(below)], below[(i + 1) % sides % len(below)], above[i % len(above)], above[(i + 1) % sides % len(above)]
             triangles += ([(a, b, d)] if a != b else []) + ([(a, d, c)] if c != d else [])
-    return sq.Surface(np.array(points), np.array(triangles), name)
+    return sq.TriangleMesh(np.array(points), np.array(triangles), name)
 
 
 def cube(size=1.0):
     """The cube [0, size]^3, facing outward."""
     corners = [[size * (i >> axis & 1) for axis in range(3)] for i in range(8)]
-    return sq.Surface(corners, sq.regions.BOX_TRIANGLES, 'cube')
+    return sq.TriangleMesh(corners, sq.regions.BOX_TRIANGLES, 'cube')

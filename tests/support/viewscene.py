@@ -4,11 +4,12 @@ import os
 import sys
 
 import numpy
-from yade import O, Body, qt, utils
+from yade import Body, O, qt, utils
 from yade.minieigenHP import Quaternion, Vector3
-from yade.superquadric import superquadric
-from yade.superquadric.pictures.view import aim, frame, openView
 from yade.wrapper import CurvatureMat, Gl1_HollowCylinder, Gl1_Sphere, Gl1_Superquadric, HollowCylinder
+
+from yade.superquadric import superquadric
+from yade.superquadric.pictures.view import aim, grabImage, openView
 
 SPACING = 2.6
 BODIES = {  # extents [m], n1, n2, orientation; red is a sphere of radius 1, the ruler
@@ -48,22 +49,22 @@ def main(path):
     view.axes, view.scale, view.timeDisp, renderer.light2, Gl1_Sphere.quality = False, False, '', False, 5
     boxes = build()
     aim(view, (0, 0, 0), 2.2, azimuth=-90, elevation=0, orthographic=True)
-    pictures = {'smooth': frame()}
+    pictures = {'smooth': grabImage()}
     Gl1_Superquadric.stripes = True
-    pictures['stripes'] = frame()
+    pictures['stripes'] = grabImage()
     Gl1_Superquadric.stripes, Gl1_Superquadric.quality = False, 0.01
-    pictures['coarse'] = frame()
+    pictures['coarse'] = grabImage()
     Gl1_Superquadric.quality, renderer.wire = 1, True
-    pictures['wire'] = frame()
+    pictures['wire'] = grabImage()
     renderer.wire = False
     container = addContainer(wire=False)
-    pictures['container'] = frame()
+    pictures['container'] = grabImage()
     O.bodies[container].shape.wire = True
-    pictures['wireContainer'] = frame()
+    pictures['wireContainer'] = grabImage()
     O.bodies[container].shape.wire, O.bodies[container].shape.height = False, float('inf')
-    pictures['endless'] = frame()
+    pictures['endless'] = grabImage()
     Gl1_HollowCylinder.div = -1  # as if it were 3
-    pictures['threeSided'] = frame()
+    pictures['threeSided'] = grabImage()
     numpy.savez(path, boxes=numpy.array(boxes), **pictures)
 
 

@@ -19,24 +19,31 @@ apt_in() {
 # forget_lists: remove what `apt_in` keeps; to be called before another program takes this one's place.
 forget_lists() { [ -z "${apt:-}" ] || rm -rf "$apt"; }
 
-# repositories: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distribution's own
-# archive that this machine uses (third parties' archives are left out by their Origin).
+# repositories DISTRIBUTION...: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distributions'
+# archives that this machine uses (third parties' archives are left out by their Origin).
 repositories() {
   apt-get "${aptOptions[@]}" indextargets 'Created-By: Packages' \
     --format '$(ORIGIN)|$(REPO_URI)|$(RELEASE)|$(CODENAME)|$(COMPONENT)|$(SIGNED_BY)' |
-    awk -F'|' -v want="$(system_value ID)" 'tolower($1) == want {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+    awk -F'|' -v want=" $* " 'index(want, " " tolower($1) " ") {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+}
+
+# own_repositories: those of this machine's distribution.
+own_repositories() {
+  local names
+  read -ra names <<<"$(distributions)"
+  repositories "${names[@]}"
 }
 
 # own_lists: point `aptOptions` to lists that know this machine's archives: the machine's own ones where
 # they are filled (containers often come without), else fresh ones.
 own_lists() {
   aptOptions=()
-  [ -n "$(repositories)" ] && return
+  [ -n "$(own_repositories)" ] && return
   apt_in machine
-  [ -n "$(repositories)" ] && return
+  [ -n "$(own_repositories)" ] && return
   say "asking this machine's package archives what they have (its own lists are empty)"
   apt-get "${aptOptions[@]}" update >&2 || die "apt-get update failed: see its messages above."
-  [ -n "$(repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
+  [ -n "$(own_repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
     "Add one, or name a file of Debian $debianSuite's sources in the variable YADE_APT_SOURCES."
 }
 
@@ -45,11 +52,11 @@ yade_candidate() {
   apt-cache "${aptOptions[@]}" policy yade 2>/dev/null | sed -n 's/^  Candidate: \([0-9].*\)/\1/p'
 }
 
-# keyring SIGNED_BY: the `[signed-by=...]` option with the key of the machine's own entry, or
+# keyring SIGNED_BY DISTRIBUTION: the `[signed-by=...]` option with the key of the machine's own entry, or
 # with the distribution's keyring where apt does not tell.
 keyring() {
   local file
-  for file in "$1" /usr/share/keyrings/{debian,ubuntu}-archive-keyring.{pgp,gpg}; do
+  for file in "$1" "/usr/share/keyrings/$2-archive-keyring".{pgp,gpg}; do
     if [ -f "$file" ]; then
       echo "[signed-by=$file]"
       return
@@ -57,31 +64,29 @@ keyring() {
   done
 }
 
-# source_lines TYPE SUITE: the machine's archives as lines of a sources.list for a suite of its distribution. Where the suite
-# is not the machine's own, its name takes the place of the machine's codename; only the release
-# itself, its updates and its security fixes are kept.
-source_lines() {
-  local type=$1 suite=$2 uri release codename component signedBy
-  repositories | while read -r uri release codename component signedBy; do
-    case $codename in
-      *-*) release=$suite-${codename#*-} ;;
-      *) release=$suite ;;
-    esac
-    case $release in
-      "$suite" | "$suite-updates" | "$suite-security")
-        echo "$type $(keyring "$signedBy") $uri $release $component" ;;
-    esac
-  done | sort -u
+# own_sources: this machine's archives as `deb-src` lines of a sources.list.
+own_sources() {
+  local uri release component signedBy
+  own_repositories | while read -r uri release _ component signedBy; do
+    echo "deb-src $(keyring "$signedBy" "$(distributions | cut -d' ' -f1)") $uri $release $component"
+  done
 }
 
-# debian_lines SUITE: lines of a sources.list for a suite of Debian: from the file that the user names, from the machine's own archives (`own_lists`) where it
-# is a Debian; nothing on any other distribution, for which mmdebstrap knows Debian's public archive.
+# debian_lines SUITE: `deb` lines of a sources.list for a suite of Debian: from the file that the user names, or from Debian's archives as this machine
+# knows them, with the suite's name in the place of the codename; only the release itself, its updates and its security fixes are kept. Nothing on a
+# machine that knows none (Ubuntu, say): mmdebstrap then takes Debian's public archive.
 debian_lines() {
+  local uri codename component signedBy suffix
   if [ -n "${YADE_APT_SOURCES:-}" ]; then
     sed -n "s/^deb /deb /p" "$YADE_APT_SOURCES"
-  elif [ "$(system_value ID)" = debian ]; then
-    source_lines deb "$1"
+    return
   fi
+  repositories debian | while read -r uri _ codename component signedBy; do
+    suffix=${codename#"${codename%%-*}"}
+    case $suffix in
+      '' | -updates | -security) echo "deb $(keyring "$signedBy" debian) $uri $1$suffix $component" ;;
+    esac
+  done | sort -u
 }
 
 # An archive may lie behind this machine's clock (a mirror, a snapshot), which apt would refuse for a suite that still changes. What it holds is signed
@@ -115,7 +120,7 @@ fetch_headers() {
     say "fetching YADE's headers: the source package of exactly version $version (14 MB; nothing of it is built)"
     if [ "$place" = machine ]; then
       own_lists
-      read_sources machine-sources < <(source_lines deb-src "$(system_value VERSION_CODENAME)")
+      read_sources machine-sources < <(own_sources)
     else
       read_sources "${place##*/}" < <(sed -n 's/^deb /deb-src /p' "$place"/etc/apt/sources.list{,.d/*.list} 2>/dev/null)
     fi

@@ -14,7 +14,7 @@ jobs() {
 configure_build() {
   say "building the plugin in $build (about 3 minutes the first time, then only what has changed)"
   "${enter[@]}" env YADE_SOURCE="$headers" cmake -S "$project" -B "$build" -G Ninja --log-level=WARNING -DSANITIZE="${SANITIZE:-}" \
-    -DONE_UNIT="$oneUnit" ${executable:+"-DYADE_EXECUTABLE=$executable"} >&2 ||
+    -DONE_UNIT="$oneUnit" >&2 ||
     { rm -f "$build/build.ninja"; die "the build could not be configured: see CMake's messages above."; }
 }
 

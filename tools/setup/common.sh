@@ -20,8 +20,11 @@ case ${XDG_CACHE_HOME:-} in
   *) cache=${HOME:?}/.cache/yade-superquadric ;;
 esac
 
-# system_value KEY: what /etc/os-release says, such as ID or VERSION_CODENAME, or nothing.
-system_value() { (. /etc/os-release && eval "echo \"\${$1:-}\"") 2>/dev/null || true; }
+# machine_suite: the code name of this system's release.
+machine_suite() { (. /etc/os-release && echo "${VERSION_CODENAME:-}"); }
+
+# distributions: this machine's own one and those that it derives from, by their names in /etc/os-release.
+distributions() { (. /etc/os-release && echo "$ID ${ID_LIKE:-}"); }
 
 # lock FILE: one command at a time past this point, until `unlock`. There is a file for each thing that is made (a Debian folder and the headers
 # of its YADE, a build directory), so that only who needs the same thing waits.

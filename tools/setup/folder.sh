@@ -5,11 +5,14 @@
 folder_tools() {
   local tools=(mmdebstrap bubblewrap)
   [ "$(id -u)" -eq 0 ] || tools+=(uidmap)
-  [ "$(system_value ID)" = debian ] || tools+=(debian-archive-keyring)
+  [ -n "${YADE_APT_SOURCES:-}" ] || tools+=(debian-archive-keyring)
   install_packages "the tools that make a Debian folder are needed" "${tools[@]}"
   [ "$(id -u)" -eq 0 ] || grep -qs "^$(id -un):" /etc/subuid ||
     die "this account has no subordinate user ids (/etc/subuid). Please ask the administrator for:" \
       "usermod --add-subuids 100000-165535 --add-subgids 100000-165535 $(id -un)"
+  bwrap --ro-bind / / --proc /proc --dev /dev true ||
+    die "bubblewrap may not make namespaces here, see its message above (Ubuntu 24.04 keeps them from ordinary users)." \
+      "There, please ask the administrator for: sysctl kernel.apparmor_restrict_unprivileged_userns=0"
 }
 
 # folder_with SUITE PACKAGE...: a finished folder of the suite that has all of the packages, or nothing.
@@ -32,18 +35,20 @@ make_folder() {
   local suite=$1 target=$2 work=$2.tmp packages options sources
   packages=$(cat)
   rm -rf --one-file-system "$work" || die "cannot remove the unfinished $work"
-  [ -n "${YADE_APT_SOURCES:-}" ] || [ "$(system_value ID)" != debian ] || own_lists
+  own_lists
   sources=$(debian_lines "$suite")
-  [ -z "$sources" ] || read_sources "$suite" < <(sed 's/^deb /deb-src /' <<<"$sources")
+  apt_in folder
+  # How this machine fetches (through a proxy, say).
+  { apt-config dump Acquire; echo "$anyAge;"; } >"$apt/folder/apt.conf"
+  echo "$sources" >"$apt/folder/sources.list"
   options=(--variant=minbase "--include=$(paste -sd, <<<"$packages")"
-    "--aptopt=$anyAge" --dpkgopt=force-unsafe-io '--dpkgopt=path-exclude=/usr/share/man/*' '--dpkgopt=path-exclude=/usr/share/locale/*'
+    "--aptopt=$apt/folder/apt.conf" --dpkgopt=force-unsafe-io '--dpkgopt=path-exclude=/usr/share/man/*' '--dpkgopt=path-exclude=/usr/share/locale/*'
     '--dpkgopt=path-exclude=/usr/share/doc/*' '--dpkgopt=path-include=/usr/share/doc/*/copyright'
     --customize-hook='touch "$1/etc/resolv.conf" "$1/etc/hosts"'
     --customize-hook='rm -rf "$1"/var/lib/apt/lists/* "$1"/var/cache/apt/*')
   # Without lines mmdebstrap takes Debian's public archive.
   set -- "$suite" "$work"
-  [ -z "$sources" ] || set -- "$@" "$apt/$suite/deb.list"
-  [ -z "$sources" ] || echo "$sources" >"$apt/$suite/deb.list"
+  [ -z "$sources" ] || set -- "$@" "$apt/folder/sources.list"
   say "making a Debian $suite folder in $target (2-4 minutes; with YADE and a compiler 3 GB)"
   if [ "$(id -u)" -eq 0 ]; then
     mmdebstrap --mode=root "${options[@]}" "$@" >&2

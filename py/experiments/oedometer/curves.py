@@ -3,7 +3,7 @@ import os
 
 import numpy
 
-from ...measure import contacts as contactstatistics
+from ...measure import contactstatistics
 from . import case as oedometercase
 from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
 from ...statistics.curves import meanCurve

@@ -11,6 +11,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, ElastoplasticMat, ElastoplasticPhys, InsertionSortCollider, InteractionLoop
 
 import yade.superquadric as sq
+from yade.superquadric.scene.settling import setYoung
 
 from project import LIMIT
 
@@ -109,7 +110,7 @@ def test_a_loaded_bed_continues_bit_for_bit(uninterrupted, kind):
 
 
 def test_all_sinks_take_energy_in_a_bed(uninterrupted):
-    for name in ('plastic', 'normalViscous', 'tangentialViscous', 'frictionDissip', 'rollingViscous', 'rollingFriction'):
+    for name in ('yieldDissip', 'normDampDissip', 'shearDampDissip', 'plastDissip', 'rollingDampDissip', 'rollingDissip'):
         assert uninterrupted[2][name] > 1e-7, name  # [J]; the bed had some 1e-2 J to lose
 
 
@@ -175,14 +176,14 @@ def test_the_law_follows_from_the_materials():
     O.reset()
     elastic, yields = CurvatureMat(young=1e8, poisson=0.3, density=2500), ElastoplasticMat(**SOFT)
     O.bodies.append(utils.sphere((0, 0, 0), SIZE, material=elastic))
-    expected = {None: 'HertzMindlin', 'curvature': 'HertzMindlin', 'elastoplastic': 'FourPath'}
+    expected = {None: 'HertzMindlin', 'curvature': 'HertzMindlin', 'elastoplastic': 'LoadingUnloading'}
     for law, name in expected.items():
         O.engines = sq.superquadricEngines(law=law)
         assert lawOf(O.engines).endswith(name)
     O.bodies.append(utils.sphere((0, 0, 1), SIZE, material=yields))
     for law in (None, 'elastoplastic'):
         O.engines = sq.superquadricEngines(law=law)
-        assert lawOf(O.engines).endswith('FourPath')
+        assert lawOf(O.engines).endswith('LoadingUnloading')
     with pytest.raises(ValueError, match="law = 'curvature': it knows no yielding, but body 1 .* yieldStress = 100000 Pa"):
         sq.superquadricEngines(law='curvature')
     yields.yieldStress = math.inf
@@ -195,6 +196,7 @@ def test_the_law_follows_from_the_materials():
 LATER = """
 from yade.wrapper import CurvatureMat, ElastoplasticMat
 import yade.superquadric as sq
+from yade.superquadric.scene.settling import setYoung
 O.bodies.append(utils.wall(0, 2, material=CurvatureMat(young=1e8, poisson=0.3, density=2500)))
 O.engines = sq.superquadricEngines()
 soft = ElastoplasticMat(young=1e8, poisson=0.3, density=2500, yieldStress=1e5, m0=2.5, exponent=1.8)
@@ -220,7 +222,7 @@ def test_a_contact_that_yields_cannot_be_given_another_stiffness():
     material = ElastoplasticMat(**SOFT)
     O.materials.append(material)
     O.bodies.append(utils.sphere((0, 0, 0), SIZE, material=material))
-    for change in (lambda: sq.scaleStiffness(2), lambda: sq.settling.setYoung(O.bodies[0], 1e9)):
+    for change in (lambda: sq.scaleStiffness(2), lambda: setYoung(O.bodies[0], 1e9)):
         with pytest.raises(ValueError, match=r'body 0: its material yields \(yieldStress = 100000 Pa\)'):
             change()
     assert material.young == SOFT['young'] and len(O.materials) == 1

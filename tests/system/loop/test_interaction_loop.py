@@ -5,6 +5,8 @@ from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import CurvatureMat, InteractionLoop, Law2_ScGeom_FrictPhys_CundallStrack, PyRunner, Sphere, SuperquadricInteractionLoop
 
+from yade.superquadric.scene.engines import engine
+
 HALF_SIZE = 0.01
 LOOPS = [InteractionLoop, SuperquadricInteractionLoop]
 ERASE_TWO = 'for body in list(O.bodies)[:2]: O.bodies.erase(body.id)'
@@ -17,7 +19,7 @@ def pair(distance, loop=SuperquadricInteractionLoop):
     for x in (0, distance):
         O.bodies.append(sq.superquadric((x, 0, 0), extents=Vector3(1, 1, 1) * HALF_SIZE, n1=4, n2=4, material=material))
     O.engines = sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.5 * HALF_SIZE)
-    ours = sq.engines.engine(InteractionLoop)
+    ours = engine(InteractionLoop)
     if loop is InteractionLoop:
         functors = [dispatcher.functors for dispatcher in (ours.geomDispatcher, ours.physDispatcher, ours.lawDispatcher)]
         O.engines = [InteractionLoop(*functors) if each == ours else each for each in O.engines]
@@ -63,7 +65,7 @@ def testAGapLastsUntilItIsUsedUp():
 def testTheContactKeepsItsLawWhenTheListIsReplaced():
     pair(1.99 * HALF_SIZE)
     O.run(3, True)
-    loop = sq.engines.engine(InteractionLoop)
+    loop = engine(InteractionLoop)
     force = O.forces.f(0)[0]
     loop.lawDispatcher.functors = [Law2_ScGeom_FrictPhys_CundallStrack()]
     O.run(1, True)

@@ -5,8 +5,8 @@ from yade import O, utils
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.measure import contacts as contactstatistics
-from yade.superquadric.measure.contacts import Contacts
+from yade.superquadric.measure import contactstatistics
+from yade.superquadric.measure.contactstatistics import Contacts
 
 GIVEN = Contacts(np.array([0, 1, 2, 2, 4]), np.array([0.0, 1.0, 2.0, 2.0, 5.0]))
 

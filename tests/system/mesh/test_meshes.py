@@ -29,18 +29,18 @@ def lidless(surface):
     """Without the triangles that face upwards."""
     corners = surface.points[surface.triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    return sq.Surface(surface.points, surface.triangles[normals[:, 2] <= 0], 'lidless')
+    return sq.TriangleMesh(surface.points, surface.triangles[normals[:, 2] <= 0], 'lidless')
 
 
 def test_whatIsWrittenIsRead(tmp_path):
-    read = sq.readSurface(stl(tmp_path, cube(0.5)))
+    read = sq.readStl(stl(tmp_path, cube(0.5)))
     assert len(read.points) == 8 and read.check() == 'outward'
     assert np.array_equal(read.points[read.triangles], cube(0.5).points[cube(0.5).triangles])
 
 
 def test_placing(tmp_path):
     turn = Quaternion(Vector3(0, 0, 1), math.pi / 2)
-    read = sq.readSurface(stl(tmp_path, cube(2.0)), scale=1e-3, position=(1, 2, 3), orientation=turn)
+    read = sq.readStl(stl(tmp_path, cube(2.0)), scale=1e-3, position=(1, 2, 3), orientation=turn)
     assert read.points.min(axis=0) == pytest.approx([0.998, 2, 3], abs=1e-12)
     assert read.points.max(axis=0) == pytest.approx([1, 2.002, 3.002], abs=1e-12)
 
@@ -52,13 +52,13 @@ def test_facetsAreTheTriangles(tmp_path):
 
 
 @pytest.mark.parametrize('damage, complaint', (
-    (lambda s: sq.Surface(s.points, s.triangles[1:]), '3 edges with one triangle only'),
-    (lambda s: sq.Surface(s.points, np.vstack([s.triangles, s.triangles[:1]])), '3 edges shared by more than two triangles'),
-    (lambda s: sq.Surface(s.points, np.vstack([s.triangles[:1, ::-1], s.triangles[1:]])), '3 edges whose two triangles face opposite ways'),
-    (lambda s: sq.Surface(s.points, np.vstack([s.triangles, [[0, 0, 1]]])), '1 triangles without an area'),
-    (lambda s: sq.Surface(np.vstack([s.points, s.points + 0.3]), np.vstack([s.triangles, s.triangles + 8])),
+    (lambda s: sq.TriangleMesh(s.points, s.triangles[1:]), '3 edges with one triangle only'),
+    (lambda s: sq.TriangleMesh(s.points, np.vstack([s.triangles, s.triangles[:1]])), '3 edges shared by more than two triangles'),
+    (lambda s: sq.TriangleMesh(s.points, np.vstack([s.triangles[:1, ::-1], s.triangles[1:]])), '3 edges whose two triangles face opposite ways'),
+    (lambda s: sq.TriangleMesh(s.points, np.vstack([s.triangles, [[0, 0, 1]]])), '1 triangles without an area'),
+    (lambda s: sq.TriangleMesh(np.vstack([s.points, s.points + 0.3]), np.vstack([s.triangles, s.triangles + 8])),
      'pairs of triangles that go through each other'),
-    (lambda s: sq.Surface(np.where(s.points == 1, np.nan, s.points), s.triangles), 'coordinates that are not finite')))
+    (lambda s: sq.TriangleMesh(np.where(s.points == 1, np.nan, s.points), s.triangles), 'coordinates that are not finite')))
 def test_defectsAreRefusedBeforeAnythingIsAdded(tmp_path, damage, complaint):
     path, material = stl(tmp_path, damage(cube())), newScene()
     with pytest.raises(ValueError, match=f'^{path}: .*{complaint}.*first at'):
@@ -76,9 +76,9 @@ def test_badInput(tmp_path):
         path.write_bytes(path.read_bytes()[:-60])
         sq.stlContainer(path, material)
     with pytest.raises(ValueError, match='triangles must be indices of points'):
-        sq.Surface(np.zeros((3, 3)), [[0, 1, 3]]).check()
+        sq.TriangleMesh(np.zeros((3, 3)), [[0, 1, 3]]).check()
     with pytest.raises(ValueError, match='points: must be rows of three numbers'):
-        sq.Surface(np.zeros(3), [[0, 1, 2]])
+        sq.TriangleMesh(np.zeros(3), [[0, 1, 2]])
     assert len(O.bodies) == 0
 
 
@@ -95,7 +95,7 @@ def test_facesPushBackInside(tmp_path, inward, axis, side):
     """A cube pressed onto a face from within is pushed straight back with the force of a wall, whichever way the file's triangles face."""
     size, half, depth = 0.125, 0.01, 1e-5  # a size that single precision holds
     surface = cube(size)
-    path, material = stl(tmp_path, sq.Surface(surface.points, surface.triangles[:, ::-1] if inward else surface.triangles)), newScene()
+    path, material = stl(tmp_path, sq.TriangleMesh(surface.points, surface.triangles[:, ::-1] if inward else surface.triangles)), newScene()
     sq.stlContainer(path, material)
     place = Vector3(0.041, 0.047, 0.043)
     place[axis] = size / 2 + side * (size / 2 - half + depth)
@@ -146,7 +146,7 @@ def test_particlesStayInTheHopper(tmp_path):
 @pytest.mark.parametrize('triangles', ([[0.9, 1, 2]], [[0, 1, float('nan')]], [[0, 1, 2 ** 40]], np.array([[0, 1, 2 ** 32]])))
 def test_placesOfPointsAreWholeNumbers(triangles):
     with pytest.raises(ValueError, match='triangles: must be rows of three'):
-        sq.Surface([[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles)
+        sq.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles)
 
 
 def test_particlesToStl(tmp_path):
@@ -156,7 +156,7 @@ def test_particlesToStl(tmp_path):
     ids = [O.bodies.append(shape.body(Vector3(0.03 * i, 0, 0), sq.randomOrientation(rng), material)) for i, shape in enumerate(shapes)]
     path, error = tmp_path / 'particles.stl', 2e-5
     sq.particlesToStl(path, ids, error)
-    read = sq.readSurface(path)
+    read = sq.readStl(path)
     assert read.check() == 'outward'
     volume, whole = sq.regions.Mesh(read).volume, sum(shape.volume for shape in shapes)
     areas = sum(np.linalg.norm(np.cross(b - a, c - a)) / 2 for a, b, c in read.points[read.triangles])

@@ -60,7 +60,7 @@ def seen(drawing, tmp_path, monkeypatch):
     def draw(frame=None, **options):
         watched = Watched()
         monkeypatch.setattr(render, 'Renderer', lambda: watched)
-        sq.picture(str(tmp_path / 'picture.png'), frame or sq.Frame.ofScene(), width=300, **options)
+        sq.picture(str(tmp_path / 'picture.png'), frame or sq.SceneSnapshot.ofScene(), width=300, **options)
         _, camera, (width, height) = watched.job
         right = np.cross(camera['direction'], camera['up'])
 
@@ -124,7 +124,7 @@ def test_forceChainsJoinTheCentres(seen):
     _, pixel = seen(colour=None, chains=True)
     assert pixel(-0.02 + 0.99 * R, 0, R).max() < 120, 'the strongest force is dark'
     assert pixel(0.004, 0, R) == pytest.approx(255)
-    forces = sq.Frame.ofScene().normalForces()
+    forces = sq.SceneSnapshot.ofScene().normalForces()
     assert forces.max() > 500 * forces.min() and pixel(0.012 + R, 0, R) == pytest.approx(255), 'the weak one is left out'
 
 
@@ -147,9 +147,9 @@ def test_containerIsSeenThrough(seen):
 def test_snapshotLooksLikeTheScene(seen, tmp_path):
     cube(-0.02), cube(0.02, half=0.6 * R)
     scene, _ = seen()
-    snapshot, _ = seen(sq.Frame.ofSnapshot(sq.Snapshot.ofBodies([0, 1])))
+    snapshot, _ = seen(sq.SceneSnapshot.ofSnapshot(sq.Snapshot.ofBodies([0, 1])))
     assert np.abs(scene.astype(int) - snapshot).mean() < 1
-    sq.picture(str(tmp_path / 'two.png'), [('one', sq.Snapshot.ofBodies([0, 1])), ('two', sq.Frame.ofScene())], title='twice', width=200)
+    sq.picture(str(tmp_path / 'two.png'), [('one', sq.Snapshot.ofBodies([0, 1])), ('two', sq.SceneSnapshot.ofScene())], title='twice', width=200)
     assert Image.open(tmp_path / 'two.png').width > 390
 
 
@@ -175,14 +175,14 @@ def test_animationOfARecordedSeries(tmp_path):
     (dict(colour='mood'), "colour = 'mood'"), (dict(colour='speed', limits=(2, 1)), r'limits = \(2, 1\)'), (dict(chains='yes'), "chains = 'yes'"),
     (dict(colour='speed', limits=5), 'limits = 5: must be two'), (dict(limits=(0, 1)), "limits = .*: colour = 'plain' stands for no"),
     (dict(colour=None, limits=(0, 1)), 'colour = None stands for no'), (dict(views=[7]), 'views: must be'),
-    (dict(views=[('a', 7)]), '7: is no Frame'),
+    (dict(views=[('a', 7)]), '7: is no SceneSnapshot'),
     (dict(views=7), 'views: must be'), (dict(path='nowhere/bed.png'), 'there is no folder .*nowhere'),
     (dict(width=3), 'width = 3'), (dict(elevation=100), 'elevation = 100'), (dict(chainLimit=-1), 'chainLimit = -1'),
     (dict(path='bed.jpg'), 'bed.jpg')])
 def test_badInput(tmp_path, arguments, words):
     ball(0)
     with pytest.raises(ValueError, match=words):
-        sq.picture(**{'path': str(tmp_path / 'bed.png'), 'views': sq.Frame.ofScene(), **arguments})
+        sq.picture(**{'path': str(tmp_path / 'bed.png'), 'views': sq.SceneSnapshot.ofScene(), **arguments})
     assert not os.listdir(tmp_path)
 
 
@@ -192,21 +192,21 @@ def test_nothingToShow(tmp_path):
             draw()
 
 
-def test_animationsOfOtherThingsThanFrames(tmp_path):
+def test_animationsOfOtherThingsThanSnapshots(tmp_path):
     ball(0)
     path = str(tmp_path / 'bed.gif')
-    for frames in (sq.Frame.ofScene(), 5, [5]):
-        with pytest.raises(ValueError, match='Frame'):
+    for frames in (sq.SceneSnapshot.ofScene(), 5, [5]):
+        with pytest.raises(ValueError, match='SceneSnapshot'):
             sq.animation(path, frames)
     for rate in (0, 51, float('nan')):
         with pytest.raises(ValueError, match='rate = '):
-            sq.animation(path, [sq.Frame.ofScene()], rate=rate)
+            sq.animation(path, [sq.SceneSnapshot.ofScene()], rate=rate)
     assert not os.listdir(tmp_path)
 
 
-def test_listsOfFramesAndSnapshots(tmp_path, drawing, monkeypatch):
+def test_listsOfSnapshots(tmp_path, drawing, monkeypatch):
     ball(0)
-    frame, snapshot = sq.Frame.ofScene(), sq.Snapshot.ofBodies([0])
+    frame, snapshot = sq.SceneSnapshot.ofScene(), sq.Snapshot.ofBodies([0])
     sq.picture(str(tmp_path / 'bed.png'), [frame, snapshot], width=100)
     sq.animation(str(tmp_path / 'bed.gif'), (view for view in (frame, snapshot)), width=100)
     assert sorted(os.listdir(tmp_path)) == ['bed.gif', 'bed.png'], 'and nothing half written'
@@ -224,7 +224,7 @@ class Watched(Sequence):
     def __getitem__(self, place):
         if not -self.number <= place < self.number:
             raise IndexError(place)
-        frame = sq.Frame.ofScene()
+        frame = sq.SceneSnapshot.ofScene()
         self.alive.add(frame)
         self.most = max(self.most, len(self.alive))
         return frame
@@ -269,7 +269,7 @@ def test_missingPackagesAreNamed(tmp_path, monkeypatch):
     monkeypatch.setattr(renderer.shutil, 'which', lambda name: None)
     assert 'Xvfb' in renderer.missing()
     with pytest.raises(ImportError, match='need Xvfb, setpriv: install'):
-        sq.picture(str(tmp_path / 'bed.png'), sq.Frame.ofScene())
+        sq.picture(str(tmp_path / 'bed.png'), sq.SceneSnapshot.ofScene())
 
 
 def test_aFailedStartLeavesNothingBehind(monkeypatch):
@@ -286,5 +286,5 @@ def test_aCrashedDrawingProcessIsAnError(tmp_path, monkeypatch):
     monkeypatch.setattr(renderer, 'PROGRAM', str(tmp_path / 'crash.py'))
     ball(0)
     with pytest.raises(RuntimeError, match='(?s)status -6.*no such driver'):
-        sq.picture(str(tmp_path / 'bed.png'), sq.Frame.ofScene())
+        sq.picture(str(tmp_path / 'bed.png'), sq.SceneSnapshot.ofScene())
     assert not (tmp_path / 'bed.png').exists()

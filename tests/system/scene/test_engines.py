@@ -2,9 +2,18 @@
 import pytest
 from yade import O, utils
 from yade.wrapper import (
-    Bo1_Sphere_Aabb, CurvatureMat, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, InsertionSortCollider, InteractionLoop,
-    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Ip2_FrictMat_FrictMat_FrictPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
-    Law2_ScGeom_FrictPhys_CundallStrack)
+    Bo1_Sphere_Aabb,
+    CurvatureMat,
+    ForceResetter,
+    FrictMat,
+    Ig2_Sphere_Sphere_ScGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
+    Ip2_FrictMat_FrictMat_FrictPhys,
+    Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    Law2_ScGeom_FrictPhys_CundallStrack,
+)
 
 import yade.superquadric as sq
 
@@ -62,9 +71,9 @@ def test_stiffnessOfOtherLawsStaysAsItIs(material):
                         [Law2_ScGeom_FrictPhys_CundallStrack(), Law2_ScGeom_CurvaturePhys_HertzMindlin()])]
     O.dt = 1e-9
     O.step()
-    ours, others = O.interactions[0, 1].phys, O.interactions[2, 3].phys
-    before = ours.effectiveModulus, others.kn, others.ks
+    curvature, others = O.interactions[0, 1].phys, O.interactions[2, 3].phys
+    before = curvature.effectiveModulus, others.kn, others.ks
     sq.scaleStiffness(10)
-    assert ours.effectiveModulus == pytest.approx(10 * before[0])
+    assert curvature.effectiveModulus == pytest.approx(10 * before[0])
     assert (others.kn, others.ks) == before[1:]
     assert (material.young, linear.young) == (pytest.approx(1e10), 1e7)

@@ -133,19 +133,19 @@ def test_parkedPair(tmp_path):
     assert O.interactions.countReal() == 0 and list(O.interactions) == []
     interaction = O.interactions[0, 1]
     assert not interaction.isReal and interaction.phys is None and not interaction.geom.touching
-    assert interaction.geom.warmKind == 2
-    assert interaction.geom.warmValue[0] == pytest.approx(1, abs=0.2)
+    kind, direction = interaction.geom.warmStart
+    assert kind == 'direction' and direction[0] == pytest.approx(1, abs=0.2)
 
     pairFunctor().resetCounters()
     O.run(5, True)
     counts = pairFunctor().counters()
     assert counts['solves'] == counts['rejectedByDirection'] == 5 and counts['iterations'] == 0
 
-    warm = Vector3(interaction.geom.warmValue)
+    remembered = interaction.geom.warmStart
     O.save(str(tmp_path / 'scene.yade.gz'))
     O.load(str(tmp_path / 'scene.yade.gz'))
     geom = O.interactions[0, 1].geom
-    assert (geom.warmKind, geom.warmValue, geom.touching) == (2, warm, False)
+    assert geom.warmStart == remembered and not geom.touching
     O.run(5, True)
     counts = pairFunctor().counters()
     assert counts['solves'] == counts['rejectedByDirection'] == 5
@@ -154,12 +154,12 @@ def test_parkedPair(tmp_path):
 def test_contactPartsIntoAParkedPair():
     neighbours(gap=-DEPTH)
     O.step()
-    assert O.interactions[0, 1].isReal and O.interactions[0, 1].geom.warmKind == 1
+    assert O.interactions[0, 1].isReal and O.interactions[0, 1].geom.warmStart[0] == 'point'
     O.bodies[1].state.pos += Vector3(3 * DEPTH, 0, 0)
     O.step()
     interaction = O.interactions[0, 1]
     assert not interaction.isReal and interaction.phys is None
-    assert not interaction.geom.touching and interaction.geom.penetrationDepth < 0 and interaction.geom.warmKind == 2
+    assert not interaction.geom.touching and interaction.geom.penetrationDepth < 0 and interaction.geom.warmStart[0] == 'direction'
     for i in (0, 1):
         assert O.forces.f(i) == Vector3(0, 0, 0)
     O.bodies[1].state.pos -= Vector3(3 * DEPTH, 0, 0)

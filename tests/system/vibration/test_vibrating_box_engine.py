@@ -7,6 +7,7 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, InsertionSortCollider, InteractionLoop, NewtonIntegrator, VibratingBoxEngine, VibrationRecorder
 
 import yade.superquadric as sq
+from yade.superquadric.scene.engines import engine
 
 STATE = dict(freeAxes='xz', mass=0.3, stiffness=Vector3(1, 2, 3), damping=Vector3(4, 5, 6), forceAmplitude=Vector3(7, 8, 9), frequency=10,
              phase=1, displacement=Vector3(0.1, 0, 0.2), velocity=Vector3(0.3, 0, 0.4))
@@ -134,7 +135,7 @@ def shakenBox():
 
 
 def condition():
-    box, recorder = (sq.engines.engine(kind) for kind in (VibratingBoxEngine, VibrationRecorder))
+    box, recorder = (engine(kind) for kind in (VibratingBoxEngine, VibrationRecorder))
     # Tuples: YADE hands out references to its vectors, which would go on with the run.
     bodies = [(tuple(body.state.pos), tuple(body.state.vel)) for body in O.bodies]
     lists = 'times', 'boxDisplacement', 'boxVelocity', 'centroidPosition', 'centroidVelocity', 'contactForce'
@@ -151,7 +152,7 @@ def test_loadedSceneContinuesBitForBit(tmp_path, kind):
     O.run(2000, True)
     atEnd = condition()
     O.load(str(tmp_path / f'box.{kind}'))
-    assert sq.engines.engine(VibrationRecorder).box == sq.engines.engine(VibratingBoxEngine)  # the same engine, not a copy
+    assert engine(VibrationRecorder).box == engine(VibratingBoxEngine)  # the same engine, not a copy
     assert condition()[:5] == atSaving[:5]
     O.run(2000, True)
     assert condition()[:5] == atEnd[:5]

@@ -4,18 +4,17 @@ import os
 import numpy as np
 import pytest
 import pyvista
+from vtkscene import last, particleBodies, scene
 from yade import O, utils
 from yade.minieigenHP import Matrix3, Vector3
 from yade.wrapper import CurvatureMat, Facet, HollowCylinder, Sphere, Superquadric, Wall
 
 import yade.superquadric as sq
 from yade.superquadric.measure import bodyarrays
+from yade.superquadric.measure.scenesnapshot import SceneSnapshot
 from yade.superquadric.vtk import polydata, recorder
-from yade.superquadric.measure.frame import Frame
 from yade.superquadric.vtk.recorded import RecordedSeries
 from yade.superquadric.vtk.series import Series
-
-from vtkscene import last, particleBodies, scene
 
 SINGLE = 2e-7  # relative error of single precision, with room for one operation
 
@@ -48,7 +47,7 @@ def test_particlesAreTheScene(recorded):
     for k, body in enumerate(bodies):
         extents = (body.shape.radius,) * 3 if isinstance(body.shape, Sphere) else body.shape.extents
         x, y, z, w = (body.state.ori[i] for i in range(4))
-        for name, expected in (('halfSizes', extents), ('orientation', (w, x, y, z)), ('velocity', body.state.vel), ('spin', body.state.angVel)):
+        for name, expected in (('halfSizes', extents), ('orientation', (w, x, y, z)), ('velocity', body.state.vel), ('angVel', body.state.angVel)):
             assert data[name][k] == pytest.approx(tuple(expected), rel=SINGLE, abs=1e-12)
         assert data.points[k] == pytest.approx(tuple(body.state.pos), rel=SINGLE, abs=1e-9)
         assert data['stress'][k] == pytest.approx(stressOf(body).ravel(), rel=1e-5, abs=1e-3)
@@ -126,7 +125,7 @@ def test_seriesIsInTheOrderOfTime(recorded):
 
 
 def test_recordedFramesAreTheScene(recorded):
-    frames, now = RecordedSeries(str(recorded)), Frame.ofScene()
+    frames, now = RecordedSeries(str(recorded)), SceneSnapshot.ofScene()
     read = frames[-1]
     assert (read.step, read.time) == (O.iter, O.time) and len(frames[1:3]) == 2
     for table in ('particles', 'contacts', 'container'):

@@ -57,8 +57,8 @@ def test_tableHoldsEveryRun(sweep):
         assert float(row['amplitude']) == summary['box']['amplitude'] and float(row['work']) == summary['energy']['work']
         assert float(row['period']) == (summary['box']['period'] or 0)
         if summary['centroid']:
-            others = [share for name, share in summary['energy']['shares'].items() if name != 'normalViscous']
-            assert float(row['normalViscousLead']) == summary['energy']['shares']['normalViscous'] - max(others)
+            others = [share for name, share in summary['energy']['shares'].items() if name != 'normDampDissip']
+            assert float(row['normalViscousLead']) == summary['energy']['shares']['normDampDissip'] - max(others)
             assert float(row['centroidLoopFill']) == summary['centroid']['loopFill']
         else:
             assert row['centroidAmplitude'] == ''
@@ -98,7 +98,7 @@ def test_badStudies(change, message):
 
 def test_materialFileIsFoundFromTheStudysFolder(tmp_path, monkeypatch):
     """Jobs run in another folder than the command: the plan has the whole path."""
-    from yade.superquadric.materials.library import FOLDER
+    from yade.superquadric.materials.shipped import FOLDER
     (tmp_path / 'own.yaml').write_text(open(os.path.join(FOLDER, 'steel-4340.yaml')).read())
     monkeypatch.chdir(tmp_path)
     plan = planOf(checkedStudy({**STUDY, 'base': {**SMALL, 'material': 'own.yaml'}}))

@@ -2,8 +2,8 @@
 import pandas
 import pytest
 import syntheticstudy
+from judgedstudy import SEEDS, judged
 from scipy import stats
-from test_study_statistics import SEEDS, judged
 
 from yade.superquadric.statistics import samples
 from yade.superquadric.study.findings import judge

@@ -3,6 +3,7 @@
 
 #include "Superquadric.hpp"
 #include "SuperquadricGeom.hpp"
+#include "ThreadCounters.hpp"
 
 #include <core/Dispatching.hpp>
 #include <core/Scene.hpp>
@@ -37,8 +38,8 @@ inline bool touches(const superquadric::Contact& contact) { return contact.overl
 // A superquadric at a contact, where the surface point has the given curvature.
 SuperquadricGeom::Side sideOf(const superquadric::Placement& body, const Vector3r& surface, const Vector3r& normal, Real curvature);
 
-// Base of the functors; not a class of YADE's own, so it has no attributes.
-class ContactFunctor : public IGeomFunctor {
+// Base of the functors.
+class SuperquadricGeomFunctor : public IGeomFunctor {
 public:
 	bool go(const shared_ptr<Shape>& shape1, const shared_ptr<Shape>& shape2, const State& state1, const State& state2,
 	        const Vector3r& shift2, const bool& force, const shared_ptr<Interaction>& interaction) override
@@ -52,10 +53,24 @@ public:
 		interaction->swapOrder();
 		return go(shape2, shape1, state2, state1, -shift2, force, interaction); // NOLINT(readability-suspicious-call-argument)
 	}
+	boost::python::dict counters() const { return solverCounters.asDict(); }
+	void resetCounters() { solverCounters.reset(); }
 
 protected:
 	// The shapes are of the functor's two types, in its order. May run in several threads, on different interactions.
-	virtual bool solve(const Shape& shape1, const Shape& shape2, const ContactPair& pair) = 0;
+	virtual bool solve(const Shape& shape1, const Shape& shape2, const ContactPair& pair);
+
+	ThreadCounters solverCounters;
+
+	// clang-format off
+	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(SuperquadricGeomFunctor, IGeomFunctor,
+		"Base of the functors that create and update a :yref:`SuperquadricGeom`; not to be used by itself."
+		, , , .def("counters", &SuperquadricGeomFunctor::counters, "Dictionary of the contact solver's counts since the functor was made or "
+			"resetCounters was called, all threads together. The entry uncertified must stay 0.")
+		.def("resetCounters", &SuperquadricGeomFunctor::resetCounters, "Set the solver's counts to zero.")
+	);
+	// clang-format on
 };
+REGISTER_SERIALIZABLE(SuperquadricGeomFunctor);
 
 } // namespace yade

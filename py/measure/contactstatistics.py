@@ -3,8 +3,6 @@ from collections import namedtuple
 
 import numpy as np
 
-from yade import O
-
 RATTLER_CONTACTS = 1  # a particle with so many or fewer is a rattler: it carries nothing (Zhao & Chi 2023: none or one contact)
 
 Contacts = namedtuple('Contacts', 'numbers forces')
@@ -13,6 +11,7 @@ Contacts.__doc__ = """Of every particle: numbers (N,) of its contacts, walls inc
 
 def ofBodies(ids):
     """`Contacts` of the particles `ids` (sorted), from the scene's last step."""
+    from yade import O  # the rest of this module needs no YADE
     ids = np.asarray(ids, dtype=int)
     numbers, sums = np.zeros(len(ids), dtype=int), np.zeros(len(ids))
     places = {int(body): place for place, body in enumerate(ids)}

@@ -1,4 +1,4 @@
-"""Frames of a run at equal times, on disk so that they survive an interruption: for the pictures at its end."""
+"""SnapshotSequence of a run at equal times, on disk so that they survive an interruption: for the pictures at its end."""
 import os
 import re
 from collections.abc import Sequence
@@ -6,18 +6,19 @@ from contextlib import suppress
 
 from yade import O
 
+from ..measure.scenesnapshot import SceneSnapshot
+from ..renamed import oldNames
 from ..vtk import recorder
-from ..measure.frame import Frame
 
 NAME = re.compile(r'(\d{6})\.npz')
 
 
-class Film:
-    """Looks at the scene after every step (`sample`); what it takes does not depend on where a run was interrupted. Frames from after the present
-    moment, which a run took that was killed and goes on from an earlier checkpoint, are removed.
+class SnapshotRecorder:
+    """Looks at the scene after every step (`sample`); what it takes does not depend on where a run was interrupted. Snapshots from
+    after the present moment, which a run took that was killed and goes on from an earlier checkpoint, are removed.
 
-    :param folder: of the frames, None: none are kept; :param series: folder of a series for ParaView, None: none
-    :param start: time of the first frame; :param period: from frame to frame [s]
+    :param folder: of the snapshots, None: none are kept; :param series: folder of a series for ParaView, None: none
+    :param start: time of the first snapshot; :param period: from one to the next [s]
     """
 
     def __init__(self, folder, series, start, period):
@@ -29,27 +30,27 @@ class Film:
                 os.remove(_path(folder, number))
 
     def sample(self):
-        """Take a frame if the last step went past the time of one."""
-        middle = O.time - O.dt / 2  # of the step: away from the frames' times, so that rounding decides nothing
+        """Take a snapshot if the last step went past the time of one."""
+        middle = O.time - O.dt / 2  # of the step: away from the snapshots' times, so that rounding decides nothing
         number = self._number(middle)
         if number == self._number(middle - O.dt):
             return
         if self.folder is not None:
-            Frame.ofScene().save(_path(self.folder, number))
+            SceneSnapshot.ofScene().save(_path(self.folder, number))
         if self.series is not None:
             recorder.record(self.series)
 
     def _number(self, time):
         return int((time - self.start) // self.period)
 
-    def frames(self):
-        """The `Frames` so far; none if the first ones were not taken."""
+    def snapshots(self):
+        """The `SnapshotSequence` so far; empty if the first ones were not taken."""
         numbers = [] if self.folder is None else _numbers(self.folder)
-        return Frames(self.folder, self.period, numbers if numbers[:1] == [0] else [])
+        return SnapshotSequence(self.folder, self.period, numbers if numbers[:1] == [0] else [])
 
 
-class Frames(Sequence):
-    """Frames in a folder in the order of time, each read when it is asked for: all of a large bed would not fit into memory.
+class SnapshotSequence(Sequence):
+    """SnapshotSequence in a folder in the order of time, each read when it is asked for: all of a large bed would not fit into memory.
 
     :ivar times: when they were taken, to a time step [s]; from the first one
     """
@@ -63,12 +64,12 @@ class Frames(Sequence):
 
     def __getitem__(self, place):
         if isinstance(place, slice):
-            return Frames(self.folder, self.period, self.numbers[place])
-        return Frame.load(_path(self.folder, self.numbers[place]))
+            return SnapshotSequence(self.folder, self.period, self.numbers[place])
+        return SceneSnapshot.load(_path(self.folder, self.numbers[place]))
 
 
-def removeFrames(folder):
-    """Remove the frames in a folder, and the folder if nothing else is in it."""
+def removeSnapshots(folder):
+    """Remove the snapshots in a folder, and the folder if nothing else is in it."""
     if os.path.isdir(folder):
         for name in os.listdir(folder):
             if NAME.fullmatch(name.removesuffix('.part')):
@@ -83,3 +84,6 @@ def _numbers(folder):
 
 def _path(folder, number):
     return os.path.join(folder, f'{number:06d}.npz')
+
+
+__getattr__ = oldNames(__name__, {'Film': 'SnapshotRecorder', 'Frames': 'SnapshotSequence', 'removeFrames': 'removeSnapshots'})

@@ -1,15 +1,13 @@
 """One moment of a scene, as the arrays that files and pictures are made of."""
 import numpy as np
 
-from yade import O
-
-from ..files import arrayfile
-from . import bodyarrays
 from .. import checks
+from ..files import arrayfile
 from ..files.wholefile import ReplacingBytes
+from . import bodyarrays
 
 
-class Frame:
+class SceneSnapshot:
     """One moment.
 
     :ivar step: O.iter; :ivar time: O.time [s]
@@ -29,10 +27,13 @@ class Frame:
 
         :raises ValueError: a body that is not in the scene
         """
-        particles, contacts = bodyarrays.particles(ids), bodyarrays.contacts()
+        from yade import O  # the rest of this module needs no YADE
+
+        from . import scenearrays
+        particles, contacts = scenearrays.particles(ids), scenearrays.contacts()
         if ids is not None:
             contacts = contacts[np.isin(contacts['id1'], particles['id']) | np.isin(contacts['id2'], particles['id'])]
-        return cls(particles, contacts, bodyarrays.container(), O.iter, O.time)
+        return cls(particles, contacts, scenearrays.container(), O.iter, O.time)
 
     @classmethod
     def ofSnapshot(cls, snapshot, container=None):
@@ -51,7 +52,7 @@ class Frame:
 
     @classmethod
     def load(cls, path):
-        """The frame in the file that `save` wrote.
+        """The snapshot in the file that `save` wrote.
 
         :raises ValueError: naming the file, which holds something else
         """
@@ -77,8 +78,8 @@ class Frame:
         order = np.argsort(ids)
         for name in ('id1', 'id2'):
             place = order[np.searchsorted(ids, self.contacts[name], sorter=order).clip(max=len(ids) - 1)]
-            mine = ids[place] == self.contacts[name]
-            np.maximum.at(result, place[mine], forces[mine])
+            here = ids[place] == self.contacts[name]
+            np.maximum.at(result, place[here], forces[here])
         return result
 
     def box(self):

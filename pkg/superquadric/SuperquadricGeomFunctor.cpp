@@ -1,10 +1,12 @@
-#include "ContactFunctor.hpp"
+#include "SuperquadricGeomFunctor.hpp"
 
 namespace yade {
 
+YADE_PLUGIN((SuperquadricGeomFunctor));
+
 superquadric::WarmStart ContactPair::warmStart() const
 {
-	return interaction->geom ? YADE_CAST<SuperquadricGeom*>(interaction->geom.get())->warmStart() : superquadric::WarmStart();
+	return interaction->geom ? YADE_CAST<SuperquadricGeom*>(interaction->geom.get())->warm : superquadric::WarmStart();
 }
 
 SuperquadricGeom& ContactPair::geom() const
@@ -22,13 +24,12 @@ bool ContactPair::touch(const superquadric::Contact& contact, const Superquadric
 	const Real radius1 = side1.smallestHalfSize > 0 ? side1.smallestHalfSize : side2.smallestHalfSize;
 	const Real radius2 = side2.smallestHalfSize > 0 ? side2.smallestHalfSize : side1.smallestHalfSize;
 	SuperquadricGeom& g = geom();
-	g.touching = true;
-	g.setWarmStart(warm);
-	g.setSides(side1, side2);
-	const Vector3r normalBefore = isNew ? contact.normal : g.normal, spinSum = isNew ? Vector3r(Vector3r::Zero()) : Vector3r(state1.angVel + state2.angVel);
-	// Without YADE's correction against ratcheting, which holds for spheres only.
+	const Vector3r normalBefore = isNew ? contact.normal : g.normal;
+	const Vector3r shiftVelocity = scene->isPeriodic ? scene->cell->intrShiftVel(interaction->cellDist) : Vector3r(Vector3r::Zero());
+	// For YADE's own laws, what only ScGeom::rotate reads; without YADE's correction against ratcheting, which holds for spheres only.
 	g.doIg2Work(contact.middle(), contact.overlap, radius1, radius2, state1, state2, scene, interaction, contact.normal, shift2, isNew, false);
-	g.noteTurn(normalBefore, spinSum, scene->dt);
+	g.warm = warm;
+	g.touch(contact, side1, side2, normalBefore, Motion(state1), Motion(state2, shift2, shiftVelocity), scene->dt);
 	return true;
 }
 
@@ -37,7 +38,7 @@ bool ContactPair::part(const superquadric::Contact& contact, const superquadric:
 	const bool keep = mustBeKept();
 	if (!keep && !interaction->geom && warm.kind == superquadric::WarmStart::None) return false; // nothing to remember
 	SuperquadricGeom& g = geom();
-	g.setWarmStart(warm);
+	g.warm = warm;
 	g.part(contact);
 	return keep;
 }
@@ -46,6 +47,11 @@ SuperquadricGeom::Side sideOf(const superquadric::Placement& body, const Vector3
 {
 	const Real halfThickness = std::abs((surface - body.position).dot(normal));
 	return { curvature, std::sqrt(body.shape.halfSizes().prod() / halfThickness), body.shape.smallestHalfSize() };
+}
+
+bool SuperquadricGeomFunctor::solve(const Shape&, const Shape&, const ContactPair&)
+{
+	throw std::logic_error(getClassName() + " does not say how its two shapes touch");
 }
 
 } // namespace yade

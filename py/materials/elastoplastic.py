@@ -1,42 +1,15 @@
-"""Elastoplastic materials: those that are shipped (`materials/*.yaml`), from a user's material file, or from its numbers."""
+"""The elastoplastic material of a scene: from a shipped material, a user's material file, or its numbers."""
 import math
-import os
 from collections.abc import Mapping
 
 from yade.wrapper import ElastoplasticMat
 
 from .. import checks
-from . import file as materialfile
-
-FOLDER, SUFFIX = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'materials'), '.yaml'
+from .shipped import properties
 
 OF_THE_MATERIAL = ('young', 'poisson', 'density', 'yieldStress')
 HARDENING = ('referenceRadius', 'm0', 'm1', 'm2', 'exponent', 'smallestRatio', 'largestRatio')
 TOLD_ONLY = ('name', 'source', 'stressStrain', 'fit')  # of a material file: not needed by the contact law
-
-
-def shipped():
-    """Names of the materials that come with the package."""
-    return tuple(sorted(name[:-len(SUFFIX)] for name in os.listdir(FOLDER) if name.endswith(SUFFIX)))
-
-
-def materialAt(name, value):
-    """`value` if it is the name of a shipped material, else the absolute path of the material file that it is; ValueError if it is neither."""
-    isName = isinstance(value, (str, os.PathLike)) and '\0' not in os.fspath(value)
-    if isName and value in shipped():
-        return value
-    if not isName or not os.path.isfile(value):
-        raise ValueError(f'{name} = {value!r}: must be a material file, or one of {", ".join(shipped())}')
-    return os.path.abspath(value)
-
-
-def properties(material):
-    """What the file of a `material` (a shipped name, or a path) says, a dict as of `plasticity.materialfile.read`.
-
-    :raises ValueError: there is no such file, or something is wrong with it
-    """
-    known = materialAt('material', material)
-    return materialfile.read(os.path.join(FOLDER, known + SUFFIX) if known in shipped() else known)
 
 
 def elastoplasticMat(material, **others):

@@ -1,0 +1,7 @@
+#include "BirthState.hpp"
+
+namespace yade {
+
+YADE_PLUGIN((BirthState));
+
+} // namespace yade
