@@ -2,6 +2,8 @@
 # Each suite has one of its own. The machine's own packages are not touched beyond the tools that make it.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154
 
+family=debian # folders of one family and suite share one list of packages
+
 folder_tools() {
   local tools=(mmdebstrap bubblewrap)
   [ "$(id -u)" -eq 0 ] || tools+=(uidmap)
@@ -17,7 +19,7 @@ folder_tools() {
 
 # folder_with SUITE PACKAGE...: a finished folder of the suite that has all of the packages, or nothing.
 folder_with() {
-  local list place=$cache/debian-$1
+  local list place=$cache/$family-$1
   shift
   for list in "$place"-*/etc/superquadric-packages; do
     case $list in *.tmp/*) continue ;; esac
@@ -49,7 +51,7 @@ make_folder() {
   # Without lines mmdebstrap takes Debian's public archive.
   set -- "$suite" "$work"
   [ -z "$sources" ] || set -- "$@" "$apt/folder/sources.list"
-  say "making a Debian $suite folder in $target (2-4 minutes; with YADE and a compiler 3 GB)"
+  say "making a Debian $suite folder in $target (with YADE and a compiler 2-4 minutes, 3 GB)"
   if [ "$(id -u)" -eq 0 ]; then
     mmdebstrap --mode=root "${options[@]}" "$@" >&2
   else
@@ -66,7 +68,7 @@ make_folder() {
 # drop_folders SUITE KEEP: remove all folders of the suite but one; those in use (their lock is held) stay until the next time.
 drop_folders() {
   local old
-  for old in "$cache/debian-$1"-*; do
+  for old in "$cache/$family-$1"-*; do
     case $old in "$2" | *.lock | *.tmp) continue ;; esac
     [ -d "$old" ] || continue
     flock --nonblock --exclusive "$old.lock" rm -rf --one-file-system "$old" "$old.lock" ||
@@ -88,11 +90,11 @@ use_folder() {
 folder_ready() {
   local suite=$1 all
   if ! use_folder "$@"; then
-    lock "$cache/debian-$suite.lock"
+    lock "$cache/$family-$suite.lock"
     if ! use_folder "$@"; then
       folder_tools
-      all=$({ printf '%s\n' "${@:2}"; cat "$cache/debian-$suite"-*/etc/superquadric-packages 2>/dev/null || true; } | LC_ALL=C sort -u)
-      folder=$cache/debian-$suite-$(printf '%s\n' "$recipe" "$suite" "$(dpkg --print-architecture)" "$all" | short_hash)
+      all=$({ printf '%s\n' "${@:2}"; cat "$cache/$family-$suite"-*/etc/superquadric-packages 2>/dev/null || true; } | LC_ALL=C sort -u)
+      folder=$cache/$family-$suite-$(printf '%s\n' "$recipe" "$suite" "$(dpkg --print-architecture)" "$all" | short_hash)
       make_folder "$suite" "$folder" <<<"$all"
       drop_folders "$suite" "$folder"
       use_folder "$@"
