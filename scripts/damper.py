@@ -12,7 +12,7 @@ from yade.superquadric import Interrupted
 from yade.superquadric.runs import commandline
 from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.experiments.damper.run import DamperRun
-from yade.superquadric.experiments.damper.parameters import PARAMETERS
+from yade.superquadric.experiments.damper.parameters import DamperParameters
 from yade.superquadric.experiments.damper.report import FILES, text
 from yade.superquadric.runs.parameters import addOptions
 
@@ -20,7 +20,7 @@ from yade.superquadric.runs.parameters import addOptions
 def parser():
     """The command line: an option for every parameter of the study."""
     result = commandline.parser('scripts/damper.py', __doc__, os.path.join('results', 'damper'))
-    addOptions(result, PARAMETERS)
+    addOptions(result, DamperParameters)
     return result
 
 
@@ -29,7 +29,7 @@ def start(options):
     stream = None if options.quiet else sys.stderr
     if commandline.resumes(options, DamperRun, options.output):
         return DamperRun.resume(options.output, stream)
-    return DamperRun.begin(commandline.parametersOf(options, PARAMETERS), options.output, stream)
+    return DamperRun.begin(commandline.parametersOf(options, DamperParameters), options.output, stream)
 
 
 def main():

@@ -14,10 +14,11 @@ from yade.superquadric import Interrupted, ImpactRun
 from yade.superquadric.runs import commandline
 from yade.superquadric.experiments.impact import pictures as impactpictures, report
 from yade.superquadric.pictures import renderer
+from yade.superquadric.runs.staged import DONE
 from yade.superquadric.vtk import polydata
-from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
-from yade.superquadric.runs.parameters import addOptions, fromFile, given
-from yade.superquadric.experiments.impact.parameters import PARAMETERS, defaults
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
+from yade.superquadric.runs.parameters import addOptions
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
 
 
 def parser():
@@ -26,7 +27,7 @@ def parser():
     result.add_argument('--bed', metavar='FOLDER', help='take the finished bed in that folder instead of pouring one')
     result.add_argument('--bedOnly', action='store_true', help='stop when the bed is at rest, and leave it in the output folder for --bed')
     result.add_argument('--vtk', action='store_true', help='also write the impact as a series for ParaView (folder vtk, see docs/view.md)')
-    addOptions(result, PARAMETERS)
+    addOptions(result, ImpactParameters)
     return result
 
 
@@ -36,12 +37,12 @@ def fromTable():
         return {}, 'impact'
     rows = utils.TableParamReader(os.environ['YADE_BATCH'].rsplit(':', 1)[0]).paramDict()
     columns = {name for row in rows.values() for name in row if name != 'description' and not name.startswith('!')}
-    utils.readParamsFromTable(unknownOk=True, **defaults())
+    utils.readParamsFromTable(unknownOk=True, **ImpactParameters.defaults())
     from yade.params import table
     return {name: getattr(table, name) for name in columns}, O.tags['description']
 
 
-def start(options, values):
+def start(options):
     """The run, begun, or taken up where it was interrupted, and its folder."""
     if options.bed and options.bedOnly:
         raise ValueError(f'bedOnly: the bed in {options.bed!r} is finished; there is nothing to do')
@@ -52,7 +53,7 @@ def start(options, values):
     stream = None if options.quiet else sys.stderr
     if commandline.resumes(options, ImpactRun, output):
         return ImpactRun.resume(output, stream), output
-    parameters = {**fromFile(options.parameters), **table, **values}
+    parameters = parametersOf(options, ImpactParameters, table)
     if options.bed:
         return ImpactRun.onBed(options.bed, parameters, output, stream), output
     return ImpactRun.begin(parameters, output, stream), output
@@ -63,16 +64,16 @@ def main():
     try:
         if options.vtk:
             polydata.requireVtk()
-        run, output = start(options, given(options, PARAMETERS))
+        run, output = start(options)
         run.pictures = not options.noPictures
-        run.state['vtk'] = options.vtk or run.state.get('vtk', False)
-        if run.state['vtk']:  # resumed, perhaps elsewhere
+        run.state.vtk = options.vtk or run.state.vtk
+        if run.state.vtk:  # resumed, perhaps elsewhere
             polydata.requireVtk()
     except (ImportError, OSError, ValueError) as error:
         print(f'impact.py: {error}', file=sys.stderr)
         return BAD_INPUT
     try:
-        summary = run.run(until='prepare' if options.bedOnly else 'done')
+        summary = run.run(until=ImpactRun.AFTER_BED if options.bedOnly else DONE)
     except Interrupted:
         print(f'Stopped. Data and checkpoint are in {output}; go on with:\n'
               f'  yade -n -x {sys.argv[0]} --output {output} --resume{" --bedOnly" if options.bedOnly else ""}', file=sys.stderr)

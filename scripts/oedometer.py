@@ -15,9 +15,10 @@ from yade.superquadric.experiments.oedometer import comparison as oedometercompa
 from yade.superquadric.pictures import renderer
 from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
 from yade.superquadric.experiments.oedometer.run import OedometerRun
-from yade.superquadric.experiments.oedometer.parameters import PARAMETERS
+from yade.superquadric.experiments.oedometer.parameters import OedometerParameters
 from yade.superquadric.experiments.oedometer.report import FILES, text
 from yade.superquadric.runs.parameters import addOptions
+from yade.superquadric.runs.staged import DONE
 
 
 def parser():
@@ -27,7 +28,7 @@ def parser():
     result.add_argument('--bedOnly', action='store_true', help='stop when the plate sits on the bed, and leave it in the output folder for --bed')
     result.add_argument('--modes', metavar='MODE,...', help='crush the same bed by each of these modes, in folders of their own, and compare; '
                         'goes on where it was stopped')
-    addOptions(result, PARAMETERS)
+    addOptions(result, OedometerParameters)
     return result
 
 
@@ -45,15 +46,15 @@ def start(options, stream):
     if commandline.resumes(options, OedometerRun, options.output):
         return OedometerRun.resume(options.output, stream)
     if options.bed:
-        return OedometerRun.onBed(options.bed, parametersOf(options, PARAMETERS), options.output, stream)
-    return OedometerRun.begin(parametersOf(options, PARAMETERS), options.output, stream)
+        return OedometerRun.onBed(options.bed, parametersOf(options, OedometerParameters), options.output, stream)
+    return OedometerRun.begin(parametersOf(options, OedometerParameters), options.output, stream)
 
 
 def single(options, stream):
     """One test, or one bed."""
     run = start(options, stream)
     run.pictures = not options.noPictures
-    summary = run.run(until='prepare' if options.bedOnly else 'done')
+    summary = run.run(until=OedometerRun.AFTER_BED if options.bedOnly else DONE)
     if options.bedOnly:
         print(f'bed        {options.output}, for --bed')
     else:
@@ -66,7 +67,7 @@ def single(options, stream):
 def comparison(options, stream):
     """Several tests on one bed."""
     modes = oedometercomparison.modesOf(options.modes)
-    summaries = oedometercomparison.compare(modes, parametersOf(options, PARAMETERS), options.output, stream, not options.noPictures)
+    summaries = oedometercomparison.compare(modes, parametersOf(options, OedometerParameters), options.output, stream, not options.noPictures)
     print(oedometercomparison.text(summaries))
     print(f'results    {options.output}/{oedometercomparison.TABLE}, and a folder for each mode')
 

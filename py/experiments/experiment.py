@@ -1,8 +1,11 @@
 """What a study repeats: one kind of experiment, as the rest of this package needs to know it."""
-from collections.abc import Callable
-from dataclasses import dataclass
+from __future__ import annotations
 
-from ..runs.parameters import defaultsOf, scopeOf
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from .particles import Particles
 
 IDS = ('run', 'bed', 'seed')
 # Of every summary: what it was computed with.
@@ -21,14 +24,12 @@ class Experiment:
     name: str                 # in study files and plans
     script: str               # of scripts/
     folder: str               # of the study's folder: where the runs are; also what they are called
-    parameters: tuple         # of `parameterlist.Parameter`
-    bedScope: str             # of the parameters that make the bed
+    parameters: type[Particles]
     bedJobs: bool             # whether beds are jobs of their own
-    checked: Callable         # (values) -> complete parameters; ValueError
-    standard: Callable        # (parameters) -> the same, in the one form that equal beds have in common
-    particleCount: Callable   # (parameters) -> number of particles, for limits of memory and time
-    costs: Callable           # (particles) -> computing times of a bed and of a run on it, in any unit
-    places: Callable | None   # (parameters, number) -> parameters by which so many runs on one bed differ, the first one {}; None: one run only
+    particleCount: Callable[[Any], int]  # (parameters) -> number of particles, for limits of memory and time
+    costs: Callable[[int], tuple[float, float]]  # (particles) -> computing times of a bed and of a run on it, in any unit
+    # (parameters, number) -> parameters by which so many runs on one bed differ, the first one {}; None: one run only
+    places: Callable[[Any, int], Sequence[Mapping[str, Any]]] | None
     measured: dict            # column of the table: where its value is in summary.json
     derived: dict             # column of the table: function of the summary that gives its value
     mayBeMissing: tuple       # columns that may be null in a summary
@@ -38,18 +39,21 @@ class Experiment:
     validations: dict         # name in a study file: picture that a script of that name draws into figures/
     drawings: dict            # kind of figure, beside those that all studies have: function (data, series, values, panels, records) -> figure
 
-    def defaults(self):
+    def planned(self, values: Mapping[str, Any]) -> Particles:
+        """Complete parameters from `values`, in the one form that equal beds have in common.
+
+        :raises ValueError: they cannot be
+        """
+        return self.parameters.checked(values).standard()
+
+    def defaults(self) -> dict[str, Any]:
         """{name: default} of all parameters."""
-        return defaultsOf(self.parameters)
+        return self.parameters.defaults()
 
-    def bedPart(self, parameters):
-        """Those of complete `parameters` from which the bed is made."""
-        return scopeOf(parameters, self.parameters, self.bedScope)
-
-    def given(self):
+    def given(self) -> tuple[str, ...]:
         """The columns that hold parameters, as asked for."""
-        return tuple(p.name for p in self.parameters if p.name != 'seed')
+        return tuple(name for name in self.parameters.declarations() if name != 'seed')
 
-    def columns(self):
+    def columns(self) -> tuple[str, ...]:
         """All columns of the table of results."""
         return (*IDS, *self.given(), *self.measured, *self.derived)

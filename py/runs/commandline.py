@@ -1,13 +1,21 @@
 """The command line that all scripts of one run share: where the results go, how an interrupted run goes on, the run's parameters."""
-import argparse
+from __future__ import annotations
 
-from .parameters import fromFile, given
+import argparse
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from .parameters import Parameters, fromFile, given
+
+if TYPE_CHECKING:
+    from .staged import StagedRun
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit codes
 
 
-def parser(script, description, output, outputHelp=''):
-    """The options that do not belong to the experiment. The script adds its own, and the parameters by `parameterlist.addOptions`.
+def parser(script: str, description: str, output: str | None, outputHelp: str = '') -> argparse.ArgumentParser:
+    """The options that do not belong to the experiment. The script adds its own, and the parameters by `parameters.addOptions`.
 
     :param script: its name, scripts/NAME.py; :param description: its docstring
     :param output: folder for the results by default; :param outputHelp: what to say of it instead of its name
@@ -23,11 +31,12 @@ def parser(script, description, output, outputHelp=''):
     return result
 
 
-def resumes(options, experiment, output):
+def resumes(options: argparse.Namespace, experiment: type[StagedRun[Any, Any]], output: str) -> bool:
     """Whether the run in the folder `output` is to be taken up. `experiment`: the class of the run."""
-    return options.resume or (options.takeUp and experiment.isInterrupted(output))
+    return bool(options.resume or (options.takeUp and experiment.isInterrupted(output)))
 
 
-def parametersOf(options, parameters):
-    """{name: value} of those `parameters` that file and command line give."""
-    return {**fromFile(options.parameters), **given(options, parameters)}
+def parametersOf(options: argparse.Namespace, kind: type[Parameters], table: Mapping[str, Any] = MappingProxyType({})) -> dict[str, Any]:
+    """{name: value} of those parameters that file, batch table and command line give, the last one first in rank."""
+    sources = fromFile(options.parameters), table, given(options, kind)
+    return {name: value for source in sources for name, value in kind.byPresentNames(source).items()}

@@ -1,39 +1,49 @@
 """A bed at rest in a folder of its own, for any number of runs: YADE's scene, the particles, and the state of the run that made it, written
 last. All three or no bed."""
+from __future__ import annotations
+
 import os
+from collections.abc import Callable, Mapping
+from typing import Any
 
 from yade import O
 
 from ..files import sealed
+from .filenames import BED, BEFORE
 
-SCENE, STATE, BEFORE = 'bed.yade.gz', 'bed.json', 'before.npz'
+SCENE = 'bed.yade.gz'
 
 
-def save(folder, state):
+def save(folder: str, state: Mapping[str, Any]) -> None:
     """Write the scene, then the `state`; the file with the particles must be there already."""
     O.save(os.path.join(folder, SCENE))
-    sealed.write(os.path.join(folder, STATE), state, (SCENE, BEFORE))
+    sealed.write(os.path.join(folder, BED), state, (SCENE, BEFORE))
 
 
-def read(folder, part):
-    """The state of the finished bed in the `folder`; all its files are complete then.
+def exists(folder: str) -> bool:
+    return os.path.exists(os.path.join(folder, BED))
 
-    :param part: function that picks the bed's own from a complete dict of parameters
-    :raises ValueError: there is no bed, a damaged one, or one of a version with other parameters
+
+def read(folder: str, decode: Callable[[dict[str, Any]], Any] = lambda state: state) -> Any:
+    """The finished bed in the `folder`; all its files are complete then.
+
+    :param decode: is given the state; may raise a ValueError
+    :returns: what `decode` has made of the state
+    :raises ValueError: there is no bed, a damaged one, or one of another version
     """
-    if not os.path.exists(os.path.join(folder, STATE)):
-        raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({STATE})')
+    if not exists(folder):
+        raise ValueError(f'bed = {folder!r}: there is no finished bed in that folder ({BED})')
     try:
-        state = sealed.read(os.path.join(folder, STATE))
-        part(state['parameters'])
+        state = sealed.read(os.path.join(folder, BED))
     except ValueError as error:
         raise ValueError(f'bed = {folder!r}: {error}') from None
-    except (KeyError, TypeError) as error:
-        raise ValueError(f'bed = {folder!r}: {STATE} is of another version ({type(error).__name__}: {error})') from None
-    return state
+    try:
+        return decode(state)
+    except ValueError as error:
+        raise ValueError(f'bed = {folder!r}: {BED} is of another version ({error}); make the bed again') from None
 
 
-def load(folder):
+def load(folder: str) -> None:
     """Make the bed in the `folder` YADE's scene.
 
     :raises ValueError: it is damaged
@@ -44,8 +54,8 @@ def load(folder):
         raise ValueError(f'bed = {folder!r}: {SCENE} cannot be loaded ({error})') from None
 
 
-def requireSame(folder, wanted, own):
-    """ValueError if the parameters `wanted` of a bed, a dict, are not its `own`."""
+def requireSame(folder: str, wanted: Mapping[str, Any], own: Mapping[str, Any]) -> None:
+    """ValueError if the parameters `wanted` of a bed are not its `own`."""
     for name, value in wanted.items():
         if value != own[name]:
             raise ValueError(f'{name} = {value!r}: the bed in {folder!r} was poured with {own[name]!r}')

@@ -1,9 +1,11 @@
 """From a study file to the plan of its runs: every bed and every run on it once, whichever groups ask for them."""
+import dataclasses
 import hashlib
 import json
 import os
 
 from ..files.results import writeJson
+from ..runs.parameters import BED
 from .experiments import EXPERIMENTS
 from .studyfile import checkedSeeds
 
@@ -71,28 +73,26 @@ def _xPoints(group, series):
 def _runsOf(plan, experiment, base, group, series, x, values, number, seeds):
     """Add the runs of one point to the plan; yield its points, one a seed and one of `number` places."""
     try:
-        parameters = experiment.standard(experiment.checked({**base, **group['base'], **group['series'][series][0], **values}))
-        places = experiment.places(parameters, number) if experiment.places else [{}]
-        for place in places:
-            experiment.checked({**parameters, **place})
+        parameters = experiment.planned({**base, **group['base'], **group['series'][series][0], **values})
+        places = [parameters.changed(place) for place in (experiment.places(parameters, number) if experiment.places else [{}])]
     except ValueError as error:
         place = f'series {series!r}, ' if series else ''
         raise ValueError(f'groups.{group["name"]}, {place}{_xName(group)} = {x!r}: {error}') from None
     for seed in seeds:
         for index, place in enumerate(places):
-            run = _addRun(plan, experiment, {**parameters, **place, 'seed': seed})
+            run = _addRun(plan, experiment, dataclasses.replace(place, seed=seed))
             yield {'series': series, 'x': x, 'seed': seed, 'place': index, 'run': run}
 
 
 def _addRun(plan, experiment, parameters):
     """Add run and bed of the `parameters` unless they are there already; return the run's id."""
-    poured = experiment.bedPart(parameters)
-    bed = f'{parameters["shape"]}-{_hash({**poured, "seed": None}, 10)}-s{parameters["seed"]}'
-    run = f'{bed}-{_hash({name: value for name, value in parameters.items() if name not in poured}, 6)}'
+    poured, complete = parameters.part(BED), parameters.asDict()
+    bed = f'{parameters.shape}-{_hash({**poured, "seed": None}, 10)}-s{parameters.seed}'
+    run = f'{bed}-{_hash({name: value for name, value in complete.items() if name not in poured}, 6)}'
     particles = experiment.particleCount(parameters)
     bedCost, runCost = experiment.costs(particles)
     plan['beds'].setdefault(bed, {'parameters': {**experiment.defaults(), **poured}, 'particles': particles, 'cost': bedCost})
-    plan['runs'].setdefault(run, {'bed': bed, 'parameters': parameters, 'cost': runCost})
+    plan['runs'].setdefault(run, {'bed': bed, 'parameters': complete, 'cost': runCost})
     return run
 
 

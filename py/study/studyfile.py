@@ -117,7 +117,7 @@ def _x(experiment, place, content):
     if len(_mapping(place, content)) != 1:
         raise ValueError(f'{place} = {content!r}: must have one name, with the list of its values')
     name, values = next(iter(content.items()))
-    name = _text(place, name)
+    name, = experiment.parameters.byPresentNames({_text(place, name): None})
     if name == 'seed':
         raise ValueError(f'{place} = {content!r}: seeds are given by seeds')
     known = experiment.defaults()
@@ -171,8 +171,8 @@ def _accepted(place, check, *arguments):
 
 
 def _parameters(experiment, place, content):
-    """`content` if all its keys are parameters; their values are checked together with the others', point by point."""
-    content = _mapping(place, content, mayBeEmpty=True)
+    """`content` by present names if all its keys are parameters; their values are checked together with the others', point by point."""
+    content = _accepted(place, experiment.parameters.byPresentNames, _mapping(place, content, mayBeEmpty=True))
     for name, value in content.items():
         if name == 'seed':
             raise ValueError(f'{place}.seed = {value!r}: seeds are given by seeds, so that every point has the same')

@@ -1,27 +1,34 @@
 """The results of a finished run of a damper: summary, motion, pictures."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
 from yade import O
 from yade.wrapper import VibrationRecorder
 
-from . import plots, motion as dampermotion
-from ...pictures import attempt
 from ...files import results
-from .energy import account
-from .parameters import collisionTime, criticalStep, densityOf, filling, makeMaterial, naturalFrequency, sampleSteps, shapeOf
-from ...scene.engines import engine
+from ...pictures import attempt
+from ...runs import filenames
 from ...runs.versions import versions
+from ...scene.engines import engine
+from . import motion as dampermotion, plots
+from .energy import CLOSED, account, isSteady
+from .motion import RECORD, Motion
 
-SUMMARY, RECORD, SPECTRUM, PHASES, HISTORY, ENERGIES = FILES = (
-    'summary.json', 'motion.csv', 'spectrum.png', 'phases.png', 'motion.png', 'energies.png')
+if TYPE_CHECKING:
+    from .run import DamperRun
 
-CLOSED = 0.01  # of the work: an account that is off by more is not closed
-STEADY = 0.1   # of the work: what else goes into stored energy, or comes out of it
+SUMMARY = filenames.SUMMARY
+PICTURES = SPECTRUM, PHASES, HISTORY, ENERGIES = ('spectrum.png', 'phases.png', 'motion.png', 'energies.png')
+FILES = (SUMMARY, RECORD, *PICTURES)
 
 
-def write(run):
-    """Write all results of the `run` (`DamperRun`); the summary, then the pictures. Returns the summary."""
+def write(run: DamperRun) -> dict[str, Any]:
+    """Write all results of the `run`; the summary, then the pictures. Returns the summary."""
     p, state = run.parameters, run.state
-    motion = dampermotion.ofRecorder(engine(VibrationRecorder), p['axis'], state['startTime'], state['restCentroid'])
-    measured = dampermotion.lastPeriods(motion, p['periods'], p['samples'])
+    motion = dampermotion.ofRecorder(engine(VibrationRecorder), p.axis, state.startTime, state.restCentroid)
+    measured = dampermotion.lastPeriods(motion, p.periods, p.samples)
     content = summary(run, measured)
     results.writeCsv(run.path(RECORD), motion._fields, zip(*motion))
     results.writeJson(run.path(SUMMARY), content)
@@ -30,7 +37,7 @@ def write(run):
     return content
 
 
-def _draw(run, motion, measured, content):
+def _draw(run: DamperRun, motion: Motion, measured: Motion, content: Mapping[str, Any]) -> None:
     p = run.parameters
     plots.spectra(run.path(SPECTRUM), measured, p)
     plots.phasePlanes(run.path(PHASES), measured, p)
@@ -38,33 +45,33 @@ def _draw(run, motion, measured, content):
     plots.shares(run.path(ENERGIES), content['energy'], p)
 
 
-def summary(run, measured):
+def summary(run: DamperRun, measured: Motion) -> dict[str, Any]:
     """All that is known of the finished `run`, as a dict for JSON. SI units."""
     p, state = run.parameters, run.state
     mass = sum(O.bodies[i].state.mass for i in run.ids)
-    shape, energies = shapeOf(p), state['energies']
-    described = (p['periods'], p['samples'], p['frequency'], p['forceAmplitude'])
+    shape, energies = p.meanShape, state.energies
+    described = (p.periods, p.samples, p.frequency, p.forceAmplitude)
     return {
-        'parameters': p,
-        'material': {name: value for name, value in makeMaterial(p).dict().items() if isinstance(value, float)},
-        'particles': {'number': len(run.ids), 'mass': mass, 'density': densityOf(p), 'filling': filling(p), 'extents': list(shape.extents),
-                      'n1': shape.n1, 'n2': shape.n2, 'yadeSphere': shape.asSphere, 'settled': state.get('settled', True)},
-        'naturalFrequency': {'empty': naturalFrequency(p), 'withParticles': naturalFrequency(p, mass)},
-        'staticDeflection': p['forceAmplitude'] / p['stiffness'] if p['stiffness'] else None,
+        'parameters': p.asDict(),
+        'material': {name: value for name, value in O.materials['particles'].dict().items() if isinstance(value, float)},
+        'particles': {'number': len(run.ids), 'mass': mass, 'density': p.particleDensity(), 'filling': p.filling(), 'extents': list(shape.extents),
+                      'n1': shape.n1, 'n2': shape.n2, 'yadeSphere': shape.asSphere, 'settled': state.settled},
+        'naturalFrequency': {'empty': p.naturalFrequency(), 'withParticles': p.naturalFrequency(mass)},
+        'staticDeflection': p.forceAmplitude / p.stiffness if p.stiffness else None,
         'box': dampermotion.describe(measured.time, measured.box, measured.boxVelocity, *described),
         'centroid': dampermotion.describe(measured.time, measured.centroid, measured.centroidVelocity, *described) if run.ids else None,
-        'energy': account(energies[-p['periods'] - 1] if len(energies) > p['periods'] else {}, energies[-1]),
-        'timeStep': {'step': O.dt, 'critical': criticalStep(p), 'collision': collisionTime(p), 'perRecord': sampleSteps(p)},
-        'solver': state['solver'],
+        'energy': account(energies[-p.periods - 1] if len(energies) > p.periods else {}, energies[-1]),
+        'timeStep': {'step': O.dt, 'critical': p.smallestCriticalStep(), 'collision': p.collisionTime(), 'perRecord': p.stepsPerSample()},
+        'solver': state.solver,
         'versions': versions(),
         'threads': O.numThreads,
-        'driveSteps': len(energies) * run.stepsPerPeriod,
-        'driveSeconds': state['stageSeconds']['drive'],
-        'wallSeconds': state['seconds'],
+        'driveSteps': len(energies) * p.stepsPerPeriod(),
+        'driveSeconds': state.stageSeconds['drive'],
+        'wallSeconds': state.seconds,
     }
 
 
-def text(content):
+def text(content: Mapping[str, Any]) -> str:
     """The main results of a `summary` in a few lines, and what is wrong with them."""
     box, centroid, energy, p = (content[name] for name in ('box', 'centroid', 'energy', 'parameters'))
     natural = content['naturalFrequency']
@@ -79,7 +86,7 @@ def text(content):
         *(f'WARNING    {warning}' for warning in warnings(content))))
 
 
-def warnings(content):
+def warnings(content: Mapping[str, Any]) -> Iterator[str]:
     """What makes the results of a `summary` doubtful, one sentence each."""
     if abs(content['energy']['balanceError']) > CLOSED:
         yield 'the energy balance is off by more than one per cent of the work; take a smaller time step'
@@ -89,16 +96,11 @@ def warnings(content):
         yield f'{content["solver"]["uncertified"]} of {content["solver"]["solves"]} solutions of the contact problem are not certified'
 
 
-def isSteady(energy):
-    """Whether what was stored or given back over the measured periods is little beside the work; a box that nothing damps counts as steady."""
-    return not energy['dissipated'] or abs(energy['stored']) <= STEADY * abs(energy['work'])
-
-
-def _motionText(name, motion):
+def _motionText(name: str, motion: Mapping[str, Any]) -> str:
     period = 'aperiodic' if motion['period'] is None else f'period {motion["period"]}'
     return (f'{name:10} amplitude {1e3 * motion["amplitude"]:.4g} mm at the drive\'s frequency, {motion["phaseLag"]:.1f} degrees behind it; '
             f'peak to peak {1e3 * motion["peakToPeak"]:.4g} mm; {period}')
 
 
-def _ordered(shares):
+def _ordered(shares: Mapping[str, float]) -> list[tuple[str, float]]:
     return sorted(shares.items(), key=lambda item: -item[1])

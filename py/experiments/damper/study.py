@@ -3,12 +3,12 @@ import os
 
 import numpy
 
-from . import parameters
-from .report import CLOSED, STEADY
-from .motion import Motion, lastPeriods, spectrum
+from .parameters import DamperParameters
+from .energy import CLOSED, STEADY
+from .motion import RECORD, Motion, lastPeriods, spectrum
 from ...files.results import readCsv, readJson
+from ...runs.filenames import SUMMARY
 from ..experiment import PROVENANCE, Experiment
-from ..particles import standard
 from ..quantities import axisLabel, xSentence
 from ...statistics.samples import typicalValue
 from ...pictures.style import COLOURS, MARKERS, newFigure, outerLegend
@@ -154,8 +154,8 @@ def _panelPerFrequency(data, series, values, records, draw):
 
 def _recordOf(folder):
     """The measured part of a run's `Motion`, and its parameters."""
-    given = readJson(os.path.join(folder, 'summary.json'))['parameters']
-    record = Motion(*numpy.array(readCsv(os.path.join(folder, 'motion.csv'))[1]).T)
+    given = readJson(os.path.join(folder, SUMMARY))['parameters']
+    record = Motion(*numpy.array(readCsv(os.path.join(folder, RECORD))[1]).T)
     return lastPeriods(record, given['periods'], given['samples']), given
 
 
@@ -185,8 +185,8 @@ def _costs(particles):
 
 
 DAMPERS = Experiment(
-    name='damper', script='damper.py', folder='vibrations', parameters=parameters.PARAMETERS, bedScope=parameters.BOX, bedJobs=False,
-    checked=parameters.checked, standard=standard, particleCount=lambda values: values['particles'], costs=_costs, places=None,
+    name='damper', script='damper.py', folder='vibrations', parameters=DamperParameters, bedJobs=False,
+    particleCount=lambda parameters: parameters.particles, costs=_costs, places=None,
     measured=MEASURED, derived=DERIVED, mayBeMissing=(), runSeconds='runSeconds',
     shown=('amplitude', 'phaseLag', 'peakToPeak', 'centroidAmplitude', 'balanceError'), concerns=_concerns, validations={},
     drawings={'response': drawResponse, 'shares': drawShares, 'spectra': drawSpectra, 'phasePlanes': drawPhasePlanes})

@@ -7,6 +7,7 @@ from ...pictures.style import COLOURS, MARKERS, newFigure, rampColours
 from ...statistics.curves import FEWEST, meanCurve
 from ..quantities import xSentence, xText
 
+RECORD = 'force.csv'  # of a run: time series of the impact
 SAMPLES = 900       # of the common time axis
 BEFORE = 0.1        # ms of the axis before the first touch
 QUIET = 0.03        # of the highest mean force in the figure: a line that stays below has ended
@@ -61,7 +62,7 @@ def drawCurves(data, series, values, panels, records):
 
 def _load(rows, records):
     """[(times [ms], forces [N])] of a point's beds, each the mean over the places that were hit."""
-    return [_meanOver([readRecord(os.path.join(records, run, 'force.csv'), static) for run, static in zip(bed['run'], bed['staticForce'])])
+    return [_meanOver([readRecord(os.path.join(records, run, RECORD), static) for run, static in zip(bed['run'], bed['staticForce'])])
             for _, bed in rows.groupby('bed', sort=False)]
 
 

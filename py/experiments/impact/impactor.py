@@ -1,42 +1,54 @@
 """The impact: a sphere falls on the bed, the force on the base is recorded, and its pulse is measured."""
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any, NamedTuple
 
 from yade import O, utils
 from yade.minieigenHP import Vector3
 
 from ... import checks
+from ...pictures.snapshotrecorder import SnapshotRecorder
 from ...scene.container import Container
 from ...scene.engines import criticalTimeStep, superquadricEngines
 from ...scene.stepping import Stepper
+from .fall import CLEARANCE, speedAt, surfaceSpeed
 
-CALIBRATED_DENSITY = 3003.0  # kg/m3: with it an impact on the bare base at 5.558 m/s peaks at the paper's P0 = 4.67 kN
-CLEARANCE = 5e-4             # m between impactor and the highest particle at the start
 BLOW_THRESHOLD = 0.01        # of the static force: less is no blow, a bed at rest is as uncertain (settling.TRUE_SUPPORT)
 PULSE_THRESHOLD = 0.1        # of the peak: the pulse lasts as long as the force is above
 QUIET_THRESHOLD = 0.05       # of the peak: the impact is over when the force has stayed below
 QUIET_TIME = 4e-3            # s for which it must have stayed below
 CHECK_STEPS = 100            # time steps between two looks whether it is over
 
-Pulse = namedtuple('Pulse', 'peak peakTime start end duration impulse lastTime')
-Pulse.__doc__ = """A pulse of the force on the base, what it bore before taken off.
 
-peak [N] at peakTime [s]; start, end [s]: the time around the peak in which the force is above PULSE_THRESHOLD of
-it without a break; duration = end - start [s]; impulse [N s] between the two; lastTime [s]: when the force was above
-that threshold for the last time, later than `end` if the bed or the impactor bounces. Times count from the record's start.
-"""
+class Pulse(NamedTuple):
+    """A pulse of the force on the base, what it bore before taken off.
+
+    peak [N] at peakTime [s]; start, end [s]: the time around the peak in which the force is above PULSE_THRESHOLD of
+    it without a break; duration = end - start [s]; impulse [N s] between the two; lastTime [s]: when the force was above
+    that threshold for the last time, later than `end` if the bed or the impactor bounces. Times count from the record's start.
+    """
+
+    peak: float
+    peakTime: float
+    start: float
+    end: float
+    duration: float
+    impulse: float
+    lastTime: float
 
 
-BareImpact = namedtuple('BareImpact', 'pulse times forces')
-BareImpact.__doc__ = """Impact without a bed: its `Pulse`, and the force on the base [N] at the times [s]."""
+class BareImpact(NamedTuple):
+    """Impact without a bed: its `Pulse`, and the force on the base [N] at the times [s]."""
+
+    pulse: Pulse
+    times: list[float]
+    forces: list[float]
 
 
-def surfaceSpeed(speed, height, gravity=9.81):
-    """Speed [m/s] at the layer's surface of a sphere that has `speed` [m/s] at `height` [m] above it; `gravity` [m/s2]."""
-    return speedAt(0.0, checks.notNegative('speed', speed), checks.notNegative('height', height), checks.positive('gravity', gravity))
-
-
-def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacles, gravity=9.81, place=(0.0, 0.0)):
+def addImpactor(diameter: float, density: float, material: Any, speed: float, dropHeight: float, surface: float, obstacles: Iterable[int],
+                gravity: float = 9.81, place: tuple[float, float] = (0.0, 0.0)) -> int:
     """Put the impactor, a YADE sphere, into the scene above a place of the base, on its way down.
 
     It has `speed` [m/s] at `dropHeight` [m] above the `surface` [m]. The free fall is not simulated: the sphere
@@ -59,25 +71,12 @@ def addImpactor(diameter, density, material, speed, dropHeight, surface, obstacl
     O.materials.append(own)
     body = utils.sphere((*place, bottom + radius), radius, material=own, color=(0.8, 0.2, 0.15))
     body.state.vel = Vector3(0, 0, -startSpeed)
-    return O.bodies.append(body)
+    return int(O.bodies.append(body))
 
 
-def speedAt(height, speed, dropHeight, gravity):
-    """Speed [m/s] at `height` [m] above the surface of a sphere that has `speed` [m/s] at `dropHeight` [m] above it.
-
-    :param gravity: [m/s2]
-    :raises ValueError: `height` is above the top of its path
-    """
-    squared = speed ** 2 + 2 * gravity * (dropHeight - height)
-    if squared < 0:
-        raise ValueError(f'dropHeight = {dropHeight!r}: too low; with speed = {speed!r} m/s there the impactor has never been '
-                         f'{height:.4g} m above the surface, where it has to start')
-    return math.sqrt(squared)
-
-
-def _topBeneath(radius, place):
+def _topBeneath(radius: float, place: tuple[float, float]) -> Callable[[int], float | None]:
     """Function that gives the upper end [m] of a particle's bounding sphere, None if it is out of the way."""
-    def top(bodyId):
+    def top(bodyId: int) -> float | None:
         body = O.bodies[bodyId]
         reach = getattr(body.shape, 'radius', None) or body.shape.boundingRadius()
         x, y, z = body.state.pos
@@ -85,9 +84,10 @@ def _topBeneath(radius, place):
     return top
 
 
-def supportForce(ids):
+def supportForce(ids: Iterable[int]) -> float:
     """Vertical force of the particles on the bodies `ids` in the last step, down positive [N]."""
-    return -sum(O.forces.f(i)[2] for i in ids)
+    force: float = -sum(O.forces.f(i)[2] for i in ids)
+    return force
 
 
 class Recorder:
@@ -101,24 +101,24 @@ class Recorder:
 
     COLUMNS = ('time', 'baseForce', 'wallForce', 'impactorForce', 'impactorHeight', 'impactorVelocity')
 
-    def __init__(self, container, impactorId, startTime=None, rows=()):
+    def __init__(self, container: Container, impactorId: int, startTime: float | None = None, rows: Iterable[Iterable[float]] = ()) -> None:
         self.container, self.impactorId = container, impactorId
-        self.startTime = O.time if startTime is None else startTime
+        self.startTime: float = O.time if startTime is None else startTime
         self.rows = [tuple(row) for row in rows]
 
-    def sample(self):
+    def sample(self) -> None:
         impactor = O.bodies[self.impactorId]
         height = impactor.state.pos[2] - impactor.state.vel[2] * O.dt - impactor.shape.radius
         self.rows.append((O.time - O.dt - self.startTime, supportForce([self.container.baseId]),
                           supportForce(self.container.sideIds), -supportForce([self.impactorId]), height,
                           impactor.state.vel[2]))
 
-    def column(self, name):
+    def column(self, name: str) -> list[float]:
         index = self.COLUMNS.index(name)
         return [row[index] for row in self.rows]
 
 
-def pulse(times, forces, staticForce):
+def pulse(times: Sequence[float], forces: Sequence[float], staticForce: float) -> Pulse:
     """Measure the pulse in a record of `forces` [N] at `times` [s]; `staticForce` [N] is taken off first.
 
     :raises ValueError: an empty record, one that is no record, or one in which no blow reached the base
@@ -148,10 +148,10 @@ class EndOfImpact:
     """Whether the impact is over: the impactor has touched, and since the peak the force on the base (less the static
     one) has stayed within QUIET_THRESHOLD of the peak for QUIET_TIME."""
 
-    def __init__(self, recorder, staticForce):
+    def __init__(self, recorder: Recorder, staticForce: float) -> None:
         self.recorder, self.staticForce = recorder, staticForce
 
-    def check(self):
+    def check(self) -> bool:
         peak, loudest = 0.0, None
         for row in self.recorder.rows:
             extra = row[1] - self.staticForce
@@ -165,11 +165,11 @@ class EndOfImpact:
         return loudest is not None and self.recorder.rows[-1][0] - loudest > QUIET_TIME
 
 
-def recordImpact(stepper, recorder, staticForce, maxTime, film=None):
+def recordImpact(stepper: Stepper, recorder: Recorder, staticForce: float, maxTime: float, film: SnapshotRecorder | None = None) -> bool:
     """Step and record until the impact is over, or for `maxTime` [s] at most; a `film` looks on. Returns whether it was over."""
     end = EndOfImpact(recorder, staticForce)
 
-    def sample():
+    def sample() -> None:
         recorder.sample()
         if film is not None:
             film.sample()
@@ -181,7 +181,8 @@ def recordImpact(stepper, recorder, staticForce, maxTime, film=None):
             return False
 
 
-def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81, baseYoung=None):
+def bareImpact(diameter: float, density: float, material: Any, speed: float, dropHeight: float, gravity: float = 9.81,
+               baseYoung: float | None = None) -> BareImpact:
     """The same impact on the bare base, for P0: done in YADE's other scene, so that the present one is not touched.
 
     :param diameter: of the impactor [m]; :param density: its own [kg/m3]
@@ -204,7 +205,7 @@ def bareImpact(diameter, density, material, speed, dropHeight, gravity=9.81, bas
         impactor = addImpactor(diameter, density, own, speed, dropHeight, 0.0, (), gravity)
         O.engines = superquadricEngines(gravity=(0, 0, -gravity))
         O.dt = 0.005 * criticalTimeStep()  # its contact lasts about 200 such steps
-        recorder = Recorder(Container(base, (), None, None, None, None), impactor)
+        recorder = Recorder(Container(base, (), None, None, None, 0.0), impactor)
         recordImpact(Stepper(stream=None), recorder, 0.0, maxTime=0.1)
         times, forces = recorder.column('time'), recorder.column('baseForce')
         return BareImpact(pulse(times, forces, 0.0), times, forces)

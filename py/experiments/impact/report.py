@@ -1,20 +1,29 @@
 """The results of a finished run: summary and time series."""
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
 from yade import O
 
-from ...pictures import snapshotrecorder
-from ...runs import finishedbed
-from . import pictures
 from ...files import results
-from .impactor import surfaceSpeed
-from ...scene.engines import criticalTimeStep
-from .parameters import shapeOf
 from ...measure.snapshot import Snapshot
+from ...pictures import snapshotrecorder
+from ...runs import filenames
 from ...runs.versions import versions
+from ...scene.engines import criticalTimeStep
+from . import pictures
+from .curves import RECORD
+from .fall import surfaceSpeed
 
-SUMMARY, RECORD, BEFORE, AFTER = FILES = ('summary.json', 'force.csv', finishedbed.BEFORE, 'after.npz')
+if TYPE_CHECKING:
+    from .run import ImpactRun
+
+SUMMARY, BEFORE, AFTER = filenames.SUMMARY, filenames.BEFORE, 'after.npz'
+FILES = (SUMMARY, RECORD, BEFORE, AFTER)
 
 
-def write(run):
+def write(run: ImpactRun) -> dict[str, Any]:
     """Write what belongs to the end of the `run` (`ImpactRun`): all but the record and the bed before; pictures last, as the results do not
     depend on them. Returns the summary."""
     after = Snapshot.ofBodies(run.ids)
@@ -28,33 +37,31 @@ def write(run):
     return content
 
 
-def summary(run):
+def summary(run: ImpactRun) -> dict[str, Any]:
     """All that is known of the finished `run`, as a dict for JSON. SI units."""
-    p, state, bare = run.parameters, run.state, run.state['bare']['pulse']
-    shape = shapeOf(p)
+    p, state, bare = run.parameters, run.state, run.state.bare['pulse']
+    shape = p.meanShape
     return {
-        'parameters': p,
+        'parameters': p.asDict(),
         'particle': {'number': len(run.ids), 'extents': list(shape.extents), 'n1': shape.n1, 'n2': shape.n2,
-                     'yadeSphere': shape.asSphere, 'volume': shape.volume, 'mass': shape.volume * p['density']},
-        'bed': {**state['bed'], 'pours': state['pours'], 'staticForce': state['staticForce'],
-                'staticWallForce': state['staticWallForce'],
-                'weight': sum(O.bodies[i].state.mass for i in run.ids) * p['gravity'], 'atRest': state['settled']},
-        'impactor': {'mass': O.bodies[state['impactor']].state.mass,
-                     'surfaceSpeed': surfaceSpeed(p['speed'], p['dropHeight'], p['gravity'])},
-        'impact': {**state['pulse'], 'over': state['impactOver']},
+                     'yadeSphere': shape.asSphere, 'volume': shape.volume, 'mass': shape.volume * p.density},
+        'bed': {**state.bed, 'pours': state.pours, 'staticForce': state.staticForce, 'staticWallForce': state.staticWallForce,
+                'weight': sum(O.bodies[i].state.mass for i in run.ids) * p.gravity, 'atRest': state.settled, 'wallSeconds': state.bedSeconds},
+        'impactor': {'mass': O.bodies[state.impactor].state.mass, 'surfaceSpeed': surfaceSpeed(p.speed, p.dropHeight, p.gravity)},
+        'impact': {**state.pulse, 'over': state.impactOver},
         'bare': bare,
         'P0': bare['peak'],
-        'bufferingRatio': (bare['peak'] - state['pulse']['peak']) / bare['peak'],
+        'bufferingRatio': (bare['peak'] - state.pulse['peak']) / bare['peak'],
         'energy': dict(O.energy.items()),
         'timeStep': {'impact': O.dt, 'critical': criticalTimeStep()},
-        'solver': state['solver'],
+        'solver': state.solver,
         'versions': versions(),
         'threads': O.numThreads,
-        'wallSeconds': state['seconds'],
+        'wallSeconds': state.seconds,
     }
 
 
-def text(content):
+def text(content: Mapping[str, Any]) -> str:
     """The main results of a `summary` in a few lines, and what is wrong with them."""
     bed, impact = content['bed'], content['impact']
     return '\n'.join((
@@ -68,7 +75,7 @@ def text(content):
         *(f'WARNING    {warning}' for warning in warnings(content))))
 
 
-def warnings(content):
+def warnings(content: Mapping[str, Any]) -> Iterator[str]:
     """What makes the results of a `summary` doubtful, one sentence each."""
     rest, solver = content['bed']['atRest'], content['solver']
     if not rest['soft']:

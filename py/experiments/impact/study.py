@@ -1,10 +1,9 @@
 """Studies of impacts on beds (scripts/impact.py)."""
 import math
 
-from . import parameters
+from .parameters import ImpactParameters
 from .curves import drawCurves
 from ..experiment import PROVENANCE, Experiment
-from ..particles import standard
 
 RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
 MEASURED = {
@@ -39,14 +38,14 @@ DERIVED = {
 DOUBTS = (('atRest', False, 'impacts on beds that were not at rest'), ('over', False, 'impacts that were not over when the record ended'))
 
 
-def placesOf(values, number):
-    """The places on the bed where the impactor falls: the one that the parameters `values` say, the others on a ring about it.
+def placesOf(p: ImpactParameters, number: int) -> list[dict[str, float]]:
+    """The places on the bed where the impactor falls: the one that the parameters say, the others on a ring about it.
 
     What a bed does to a blow depends on the few particles that it meets, and an impact costs a tenth of what its bed does.
     """
-    x, y, ring = values['impactorX'], values['impactorY'], RING * values['radius']
+    x, y, ring = p.impactorX, p.impactorY, RING * p.radius
     angles = [2 * math.pi * k / (number - 1) for k in range(number - 1)]
-    return [{}] + [{'impactorX': round(x + ring * math.cos(a), 9), 'impactorY': round(y + ring * math.sin(a), 9)} for a in angles]
+    return [{}, *({'impactorX': round(x + ring * math.cos(a), 9), 'impactorY': round(y + ring * math.sin(a), 9)} for a in angles)]
 
 
 def _costs(particles):
@@ -67,8 +66,8 @@ def _offThickness(done):
 
 
 IMPACTS = Experiment(
-    name='impact', script='impact.py', folder='impacts', parameters=parameters.PARAMETERS, bedScope=parameters.BED, bedJobs=True,
-    checked=parameters.checked, standard=standard, particleCount=parameters.particleCount, costs=_costs, places=placesOf,
+    name='impact', script='impact.py', folder='impacts', parameters=ImpactParameters, bedJobs=True,
+    particleCount=ImpactParameters.particleCount, costs=_costs, places=placesOf,
     measured=MEASURED, derived=DERIVED, mayBeMissing=('innerC0',),  # in a thin bed
     runSeconds='impactSeconds', shown=('peak', 'C0', 'duration', 'H'), concerns=_concerns,
     validations={'cylinderOnPlane': 'cylinder_on_plane'}, drawings={'curves': drawCurves})

@@ -1,37 +1,51 @@
 """A finished oedometer test, read back from its folder: what pictures and comparisons work on."""
+from __future__ import annotations
+
 import os
-from collections import namedtuple
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...files import results
 from ...measure.bed import particleVolumes
 from ...measure.contactstatistics import Contacts
-from ...runs.finishedbed import BEFORE
 from ...measure.grading import Grading
 from ...measure.snapshot import Snapshot
+from ...runs.filenames import BEFORE, SUMMARY
 
-SUMMARY = 'summary.json'
+CONSERVED = 1e-9        # the volume is, if it is off by no more
+SLOW = 0.05             # the test is slow enough if the stresses on plate and base differ by no more
+
 STRESS, EVENTS, PARTICLES, GRADING, NUMBERS, FORCES = TABLES = (
     'stress.csv', 'events.csv', 'particles.csv', 'grading.csv', 'contacts.csv', 'forces.csv')
 
-Case = namedtuple('Case', 'summary stress before after relative contacts')
-Case.__doc__ = """summary: dict; stress: {column: array} of the record; before, after: `Grading`; relative: `Grading` of the fragments over the
-sizes of the first particles that they are of, None without fragments; contacts: `Contacts` at the end."""
+
+class Case(NamedTuple):
+    """summary: dict; stress: {column: array} of the record; before, after: `Grading`; relative: `Grading` of the fragments over the sizes of the
+    first particles that they are of, None without fragments; contacts: `Contacts` at the end."""
+
+    summary: dict[str, Any]
+    stress: dict[str, NDArray[np.float64]]
+    before: Grading
+    after: Grading
+    relative: Grading | None
+    contacts: Contacts
 
 
-def columns(path):
+def columns(path: str) -> dict[str, NDArray[np.float64]]:
     """{column: array} of a CSV file that `results.writeCsv` wrote."""
     names, rows = results.readCsv(path)
     return dict(zip(names, np.array(rows).reshape(-1, len(names)).T))
 
 
-def sizesOf(snapshot):
+def sizesOf(snapshot: Snapshot) -> NDArray[np.float64]:
     """Diameters (N,) [m] of the spheres of the particles' volumes."""
     return (6 / np.pi * particleVolumes(snapshot)) ** (1 / 3)
 
 
-def relativeGrading(particles, before):
+def relativeGrading(particles: Mapping[str, NDArray[Any]], before: Snapshot) -> Grading | None:
     """`Grading` of the fragments' sizes over those of their first ancestors; None without fragments.
 
     :param particles: {column: array}, with diameter [m], ancestor (-1: none), volume; :param before: `Snapshot` of the first particles
@@ -44,7 +58,7 @@ def relativeGrading(particles, before):
     return Grading(particles['diameter'][fragments] / ancestors, particles['volume'][fragments])
 
 
-def load(folder):
+def load(folder: str) -> Case:
     """The `Case` in a folder.
 
     :raises ValueError: there is none, or a damaged one
@@ -57,7 +71,7 @@ def load(folder):
         raise ValueError(f'folder = {folder!r}: the test in it is damaged ({type(error).__name__}: {error})') from None
 
 
-def _read(folder):
+def _read(folder: str) -> Case:
     particles = columns(os.path.join(folder, PARTICLES))
     before = Snapshot.load(os.path.join(folder, BEFORE))
     return Case(results.readJson(os.path.join(folder, SUMMARY)), columns(os.path.join(folder, STRESS)), Grading(sizesOf(before)),

@@ -1,19 +1,24 @@
 """The same bed crushed by several modes of breakage, and what differs: a table and the pictures of all together."""
+from __future__ import annotations
+
 import os
 import sys
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, TextIO
 
-from ...runs import checkpoint, finishedbed
-from . import case, plots
 from ...files import results
+from ...runs import checkpoint, finishedbed
+from ...runs.parameters import BED as BED_SCOPE
+from . import case, plots
+from .parameters import MODES, OedometerParameters
 from .run import OedometerRun
-from .parameters import MODES, bedPart, checked
 
 BED = 'bed'  # folder of the bed, in that of the comparison
 PICTURES = ('grading.png', 'stress.png', 'contacts.png')
 TABLE = 'comparison.json'
 
 
-def modesOf(text):
+def modesOf(text: str) -> list[str]:
     """Modes from a comma-separated list; ValueError for an unknown one, or for none."""
     modes = [mode.strip() for mode in text.split(',') if mode.strip()]
     for mode in modes:
@@ -24,7 +29,8 @@ def modesOf(text):
     return modes
 
 
-def compare(modes, parameters, output, stream=sys.stderr, pictures=True):
+def compare(modes: Sequence[str], parameters: Mapping[str, Any], output: str, stream: TextIO | None = sys.stderr,
+            pictures: bool = True) -> dict[str, dict[str, Any]]:
     """Crush one bed by every one of the `modes`, each in a folder of its own in `output`; write table and pictures.
 
     What is finished with the same parameters is taken as it is, what was interrupted is taken up: the same call goes on after Ctrl-C.
@@ -32,54 +38,59 @@ def compare(modes, parameters, output, stream=sys.stderr, pictures=True):
     :returns: {mode: summary}
     :raises ValueError: a bad parameter, before anything changes; :raises Interrupted: after Ctrl-C
     """
-    wanted = {mode: checked({**parameters, 'mode': mode}) for mode in modes}
+    wanted = {mode: OedometerParameters.checked({**parameters, 'mode': mode}) for mode in modes}
     bed = os.path.join(output, BED)
     if not _bedIsThere(bed, wanted[modes[0]]):
-        _start(bed, stream, lambda: OedometerRun.begin(wanted[modes[0]], bed, stream)).run(until='prepare')
+        _start(bed, stream, lambda: OedometerRun.begin(wanted[modes[0]].asDict(), bed, stream)).run(until=OedometerRun.AFTER_BED)
     summaries = {}
     for mode in modes:
         folder = os.path.join(output, mode)
-        summaries[mode] = _finished(folder, wanted[mode])
-        if summaries[mode] is None:
-            run = _start(folder, stream, lambda: OedometerRun.onBed(bed, wanted[mode], folder, stream))
-            run.pictures = pictures
-            summaries[mode] = run.run()
+        summaries[mode] = _finished(folder, wanted[mode]) or _crush(bed, wanted[mode], folder, stream, pictures)
     results.writeJson(os.path.join(output, TABLE), {mode: _row(summary) for mode, summary in summaries.items()})
     if pictures:
         draw(output, modes)
     return summaries
 
 
-def draw(output, modes):
+def draw(output: str, modes: Sequence[str]) -> None:
     """The pictures of all `modes` together, from their folders in `output`."""
     cases = [case.load(os.path.join(output, mode)) for mode in modes]
     for name, picture in zip(PICTURES, (plots.gradings, plots.stresses, plots.contacts)):
         picture(os.path.join(output, name), cases)
 
 
-def _bedIsThere(folder, parameters):
-    if not os.path.exists(os.path.join(folder, finishedbed.STATE)):
+def _bedIsThere(folder: str, parameters: OedometerParameters) -> bool:
+    if not finishedbed.exists(folder):
         return False
-    state = finishedbed.read(folder, bedPart)
-    finishedbed.requireSame(folder, bedPart(parameters), bedPart(state['parameters']))
+    own, _ = finishedbed.read(folder, OedometerRun.decoded)
+    finishedbed.requireSame(folder, parameters.part(BED_SCOPE), own.part(BED_SCOPE))
     return True
 
 
-def _start(folder, stream, begin):
+def _crush(bed: str, parameters: OedometerParameters, folder: str, stream: TextIO | None, pictures: bool) -> dict[str, Any]:
+    """The summary of a test on the bed in the folder `bed`."""
+    run = _start(folder, stream, lambda: OedometerRun.onBed(bed, parameters.asDict(), folder, stream))
+    run.pictures = pictures
+    summary = run.run()
+    assert summary is not None
+    return summary
+
+
+def _start(folder: str, stream: TextIO | None, begin: Callable[[], OedometerRun]) -> OedometerRun:
     """The run of a folder: taken up where it was interrupted, else begun."""
     return OedometerRun.resume(folder, stream) if checkpoint.exists(folder) else begin()
 
 
-def _finished(folder, parameters):
+def _finished(folder: str, parameters: OedometerParameters) -> dict[str, Any] | None:
     """The summary in a folder if it is that of the `parameters`; None otherwise."""
     path = os.path.join(folder, case.SUMMARY)
     if not os.path.exists(path):
         return None
     summary = results.readJson(path)
-    return summary if summary['parameters'] == parameters else None
+    return dict(summary) if summary['parameters'] == parameters.asDict() else None
 
 
-def _row(summary):
+def _row(summary: Mapping[str, Any]) -> dict[str, Any]:
     """What the modes are compared by."""
     curves, contacts = summary['grading'], summary['contacts']['after']
     return {'stress': summary['compression']['stress'], 'strain': summary['compression']['strain'], 'events': summary['particles']['broken'],
@@ -91,7 +102,7 @@ def _row(summary):
                                                  'forceSpreadWithoutRattlers')}}
 
 
-def text(summaries):
+def text(summaries: Mapping[str, Mapping[str, Any]]) -> str:
     """The comparison as a table, one line a mode."""
     lines = [f'{"mode":8} {"stress":>8} {"strain":>7} {"events":>7} {"particles":>9} {"B_r":>7} {"gap":>6} {"of fragments":>12} {"rattlers":>8} '
              f'{"contacts":>8}',

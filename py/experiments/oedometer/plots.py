@@ -1,10 +1,19 @@
 """Pictures of oedometer tests, one or several together, like those of Zhao & Chi (2023)."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
 import numpy as np
 
 from ...measure import contactstatistics
-from ...pictures import render
+from ...measure.grading import Grading
 from ...measure.scenesnapshot import SceneSnapshot
+from ...measure.snapshot import Snapshot
+from ...pictures import render
 from ...pictures.style import COLOURS, newFigure, outerLegend, save
+from ...scene.container import Container
+from .case import Case
 
 FORCE_EDGES = np.linspace(0, 5, 41)     # bins of a particle's mean contact force, over the mean
 RELATIVE_LOWEST = 0.02                  # of a fragment's size over its ancestor's, in the picture
@@ -21,11 +30,11 @@ SIDES = ('all particles', 'without rattlers (none or one contact)')
 NAMES = {'cube': 'cube', 'balls4': '4 balls', 'balls18': '18 balls', 'none': 'no breakage'}
 
 
-def _name(case):
+def _name(case: Case) -> str:
     return NAMES[case.summary['parameters']['mode']]
 
 
-def gradings(path, cases):
+def gradings(path: str, cases: Sequence[Case]) -> None:
     """Grading curves before and after; and of the fragments, over the sizes of the particles that they are of."""
     figure, panels = newFigure(2, 1, 5.2, 4.0)
     whole, relative = panels[0]
@@ -43,11 +52,11 @@ def gradings(path, cases):
     save(figure, path)
 
 
-def _curve(axes, grading, unit, **style):
+def _curve(axes: Any, grading: Grading, unit: float, **style: Any) -> None:
     axes.step(unit * np.repeat(grading.sizes, 2), 100 * np.repeat(grading.sums, 2)[1:-1], where='post', **style)
 
 
-def plainTicks(axes):
+def plainTicks(axes: Any) -> None:
     """1, 2, 5, 10, ... on a logarithmic axis x, not powers of ten."""
     from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
@@ -55,7 +64,7 @@ def plainTicks(axes):
     axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f'{value:g}'))
 
 
-def stresses(path, cases):
+def stresses(path: str, cases: Sequence[Case]) -> None:
     """Axial stress and lateral stress over strain; void ratio over axial stress; events."""
     figure, panels = newFigure(3, 1, 4.4, 3.8)
     strainPanel, voidPanel, numberPanel = panels[0]
@@ -74,7 +83,7 @@ def stresses(path, cases):
     save(figure, path)
 
 
-def contacts(path, cases):
+def contacts(path: str, cases: Sequence[Case]) -> None:
     """Distributions of contact number and mean contact force, with rattlers (left) and without (right)."""
     figure, panels = newFigure(2, 2, 4.6, 3.2)
     middles = (FORCE_EDGES[1:] + FORCE_EDGES[:-1]) / 2
@@ -91,6 +100,6 @@ def contacts(path, cases):
     save(figure, path)
 
 
-def specimens(path, views, container):
+def specimens(path: str, views: Iterable[tuple[str, Snapshot]], container: Container) -> None:
     """The specimen from the side, its front half taken away: a panel for each (caption, `Snapshot`)."""
     render.picture(path, [(caption, SceneSnapshot.ofSnapshot(snapshot, container)) for caption, snapshot in views], cut=True)

@@ -1,21 +1,28 @@
 """The results of a finished oedometer test: tables, summary, pictures."""
-import numpy as np
+from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 from yade import O
 from yade.wrapper import BreakageEngine
 
-from ...measure import contactstatistics, enclosure, grading
-from ...pictures import attempt, renderer
-from . import case as oedometercase, plots
 from ...files import results
-from ...measure.contactstatistics import Contacts
-from ...scene.engines import engine
-from .case import BEFORE, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, STRESS, SUMMARY, sizesOf
-from .parameters import materialOf, section
-from .record import COLUMNS
+from ...measure import contactstatistics, enclosure, grading
 from ...measure.bed import particleVolumes
+from ...measure.contactstatistics import Contacts
 from ...measure.snapshot import Snapshot
+from ...pictures import attempt, renderer
 from ...runs.versions import versions
+from ...scene.engines import engine
+from . import case as oedometercase, plots
+from .case import BEFORE, CONSERVED, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, SLOW, STRESS, SUMMARY, sizesOf
+from .parameters import OedometerParameters
+from .record import COLUMNS
+
+if TYPE_CHECKING:
+    from .run import OedometerRun
 
 PICTURES = ('grading.png', 'stress.png', 'contacts.png', 'specimen.png')
 FILES = (SUMMARY, *oedometercase.TABLES, BEFORE, *PICTURES)
@@ -24,22 +31,20 @@ PARTICLE_COLUMNS = ('id', 'diameter', 'volume', 'x', 'y', 'z', 'generation', 'an
 GRADING_POINTS = 200    # equally spaced in log d
 QUASISTATIC_STRESS = 1e5  # Pa: below, the bed's own weight and the plate's start count
 ONSET = 0.01            # of the particles broken: where breakage begins to show
-CONSERVED = 1e-9        # the volume is, if it is off by no more
-SLOW = 0.05             # the test is slow enough if the stresses on plate and base differ by no more
 
 
-def contactsNow(ids):
+def contactsNow(ids: Sequence[int]) -> dict[str, list[float]]:
     """`Contacts` of the particles as a dict of lists, for JSON."""
     return {name: values.tolist() for name, values in contactstatistics.ofBodies(ids)._asdict().items()}
 
 
-def write(run):
-    """Write all results of the `run` (`OedometerRun`); the summary after the tables, the pictures last. Returns the summary."""
+def write(run: OedometerRun) -> dict[str, Any]:
+    """Write all results of the `run`; the summary after the tables, the pictures last. Returns the summary."""
     ids = run.ids
     snapshot, before = Snapshot.ofBodies(ids), Snapshot.load(run.path(BEFORE))
     particles = _particles(ids, snapshot)
     events = _events()
-    results.writeCsv(run.path(STRESS), COLUMNS, [[row[name] for name in COLUMNS] for row in run.state['rows']])
+    results.writeCsv(run.path(STRESS), COLUMNS, [[row[name] for name in COLUMNS] for row in run.state.rows])
     results.writeCsv(run.path(EVENTS), (*EVENT_COLUMNS, 'children', 'smallestChild', 'largestChild'), events)
     results.writeCsv(run.path(PARTICLES), PARTICLE_COLUMNS, zip(*(particles[name] for name in PARTICLE_COLUMNS)))
     _writeDistributions(run, particles, before)
@@ -53,13 +58,13 @@ def write(run):
     return content
 
 
-def _drawTables(run):
+def _drawTables(run: OedometerRun) -> None:
     case = [oedometercase.load(run.output)]
     for name, draw in zip(PICTURES, (plots.gradings, plots.stresses, plots.contacts)):
         draw(run.path(name), case)
 
 
-def _particles(ids, snapshot):
+def _particles(ids: Sequence[int], snapshot: Snapshot) -> dict[str, Any]:
     """{column: array} by PARTICLE_COLUMNS."""
     contacts, states = contactstatistics.ofBodies(ids), [O.bodies[i].state for i in ids]
     x, y, z = snapshot.positions.T
@@ -68,7 +73,7 @@ def _particles(ids, snapshot):
     return {name: np.asarray(values) for name, values in zip(PARTICLE_COLUMNS, columns)}
 
 
-def _events():
+def _events() -> list[list[float]]:
     """Rows of the table of events."""
     if not _breaks():
         return []
@@ -76,11 +81,11 @@ def _events():
             for event in engine(BreakageEngine).events()]
 
 
-def _breaks():
+def _breaks() -> bool:
     return any(isinstance(candidate, BreakageEngine) for candidate in O.engines)
 
 
-def _writeDistributions(run, particles, before):
+def _writeDistributions(run: OedometerRun, particles: Mapping[str, Any], before: Snapshot) -> None:
     gradings = grading.Grading(sizesOf(before)), grading.Grading(particles['diameter'], particles['volume'])
     sizes = np.geomspace(gradings[1].sizes[0], 1.001 * gradings[0].sizes[-1], GRADING_POINTS)
     results.writeCsv(run.path(GRADING), ('size', 'before', 'after'), zip(sizes, *(g.finer(sizes) for g in gradings)))
@@ -95,40 +100,40 @@ def _writeDistributions(run, particles, before):
                      zip((edges[1:] + edges[:-1]) / 2, *(contactstatistics.forceDistribution(c, edges) for c in chosen)))
 
 
-def summary(run, particles, snapshot, before):
+def summary(run: OedometerRun, particles: Mapping[str, Any], snapshot: Snapshot, before: Snapshot) -> dict[str, Any]:
     """All that is known of the finished `run`, as a dict for JSON. SI units."""
-    p, state, rows = run.parameters, run.state, run.state['rows']
+    p, state, rows = run.parameters, run.state, run.state.rows
     volume = float(particles['volume'].sum())
-    steps = O.iter - state['startIter']
+    steps = O.iter - state.startIter
     return {
-        'parameters': p,
-        'material': materialOf(p),
-        'bed': {'particles': len(before), 'height': state['height'], 'settled': state['settled'],
-                'packingFraction': state['solid'] / (section(p) * state['height']), 'wallSeconds': state['bedSeconds']},
+        'parameters': p.asDict(),
+        'material': p.attributes(),
+        'bed': {'particles': len(before), 'height': state.height, 'settled': state.settled,
+                'packingFraction': state.solid / (p.section() * state.height), 'wallSeconds': state.bedSeconds},
         'particles': {'number': len(particles['id']), 'broken': rows[-1]['events'], 'generations': int(particles['generation'].max()),
-                      'smallest': float(particles['diameter'].min()), 'volumeError': volume / state['solid'] - 1,
+                      'smallest': float(particles['diameter'].min()), 'volumeError': volume / state.solid - 1,
                       **enclosure.describe(snapshot, particles['diameter'], run.container, float(run.plate.state.pos[2]))},
         'compression': _compression(rows, p),
         'quasiStatic': _quasiStatic(rows),
         'grading': _gradings(particles, before, p),
-        'contacts': {'before': contactstatistics.describe(Contacts(*map(np.array, (state['before']['numbers'], state['before']['forces'])))),
+        'contacts': {'before': contactstatistics.describe(Contacts(*map(np.array, (state.before['numbers'], state.before['forces'])))),
                      'after': contactstatistics.describe(Contacts(particles['contacts'], particles['meanForce']))},
         'breakage': {name: getattr(engine(BreakageEngine), name) for name in ('waiting', 'evenCuts', 'spinGains')} if _breaks() else None,
         'energy': dict(O.energy.items()),
         'timeStep': O.dt,
         'steps': steps,
-        'secondsPerStep': state['stageSeconds']['compress'] / steps,
-        'stageSeconds': dict(state['stageSeconds']),
-        'wallSeconds': state['seconds'],
-        'solver': state['solver'],
+        'secondsPerStep': state.stageSeconds['compress'] / steps,
+        'stageSeconds': dict(state.stageSeconds),
+        'wallSeconds': state.seconds,
+        'solver': state.solver,
         'threads': O.numThreads,
         'versions': versions(),
     }
 
 
-def _compression(rows, parameters):
+def _compression(rows: Sequence[Mapping[str, Any]], p: OedometerParameters) -> dict[str, Any]:
     last = rows[-1]
-    onset = next((row for row in rows if row['events'] >= ONSET * parameters['particles']), None)
+    onset = next((row for row in rows if row['events'] >= ONSET * p.particles), None)
     first = next((row for row in rows if row['events']), None)
     ratio = last['lateralStress'] / last['plateStress'] if last['plateStress'] else None  # the bed may have just given way
     return {'strain': last['strain'], 'stress': last['plateStress'], 'lateralRatio': ratio,
@@ -136,7 +141,7 @@ def _compression(rows, parameters):
             'stressAtFirstEvent': first and first['plateStress'], 'stressAtOnset': onset and onset['plateStress']}
 
 
-def _quasiStatic(rows):
+def _quasiStatic(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any] | None:
     """How slow the test was: over the records above QUASISTATIC_STRESS; None without any."""
     slow = [row for row in rows if row['plateStress'] >= QUASISTATIC_STRESS]
     if not slow:
@@ -147,21 +152,21 @@ def _quasiStatic(rows):
             'plateOverBase': float(np.median(ratios)) if ratios else None}
 
 
-def _gradings(particles, before, parameters):
+def _gradings(particles: Mapping[str, Any], before: Snapshot, p: OedometerParameters) -> dict[str, Any]:
     first, last = grading.Grading(sizesOf(before)), grading.Grading(particles['diameter'], particles['volume'])
     relative = oedometercase.relativeGrading(particles, before)
-    tail = grading.fractal(last, parameters['smallestDiameter']) if parameters['mode'] != 'none' else None
+    tail = grading.fractal(last, p.smallestDiameter) if p.breaks() else None
     return {'before': _grading(first), 'after': _grading(last), 'fragments': relative and _grading(relative),
             'hardin': grading.hardin(first, last), 'einav': grading.einav(first, last), 'fractal': tail and tail._asdict()}
 
 
-def _grading(curve):
+def _grading(curve: grading.Grading) -> dict[str, Any]:
     gap, steepest = grading.widestGap(curve), grading.steepestPart(curve)
     return {**{f'd{share}': curve.size(share / 100) for share in (10, 30, 50, 60)}, 'uniformity': curve.uniformity(),
             'widestGap': {'factor': gap[0], 'low': gap[1], 'high': gap[2]}, 'steepestPart': {'mass': steepest[0], 'low': steepest[1]}}
 
 
-def text(content):
+def text(content: Mapping[str, Any]) -> str:
     """The main results of a `summary` in a few lines, and what is wrong with them."""
     p, particles, compression, curves = (content[name] for name in ('parameters', 'particles', 'compression', 'grading'))
     bed, contacts = content['bed'], content['contacts']['after']
@@ -181,29 +186,29 @@ def text(content):
         *(f'WARNING    {warning}' for warning in warnings(content))))
 
 
-def _megapascals(stress):
+def _megapascals(stress: float | None) -> str:
     return 'no stress' if stress is None else f'{1e-6 * stress:.3f} MPa'
 
 
-def _ratioText(ratio):
+def _ratioText(ratio: float | None) -> str:
     return '-' if ratio is None else f'{ratio:.2f}'
 
 
-def _fractalText(fit):
+def _fractalText(fit: Mapping[str, float] | None) -> str:
     return 'no tail' if fit is None else f'fractal dimension {fit["dimension"]:.2f} (r2 {fit["correlation"]:.3f})'
 
 
-def _gapText(fragments):
+def _gapText(fragments: Mapping[str, Any] | None) -> str:
     return '-' if fragments is None else f'{fragments["widestGap"]["factor"]:.2f}'
 
 
-def _slowness(content):
+def _slowness(content: Mapping[str, Any] | None) -> Iterator[str]:
     if content is not None:
         yield (f'slowness   inertial number {content["inertialNumber"]["end"]:.1e} at the end, unbalanced force {content["unbalancedForce"]:.1e}, '
                f'plate/base {content["plateOverBase"] or 0:.3f}')
 
 
-def warnings(content):
+def warnings(content: Mapping[str, Any]) -> Iterator[str]:
     """What makes the results of a `summary` doubtful, one sentence each."""
     particles = content['particles']
     if particles['lost']:

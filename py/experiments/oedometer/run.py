@@ -3,22 +3,28 @@ results, in stages that can be interrupted and taken up again.
 
     OedometerRun.begin({'mode': 'cube'}, 'results/cube').run()
 """
+from __future__ import annotations
+
 import math
-import random
 import sys
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Self, TextIO
 
 from yade import O, utils
-from yade.wrapper import BreakageEngine, NewtonIntegrator, Sphere, Superquadric
+from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat, NewtonIntegrator, Sphere, Superquadric
 
-from . import report
+from ...measure.snapshot import Snapshot, boxHalfHeights
 from ...runs.onbed import BedRun
-from ...scene.walls import boxContainer, cylinderContainer, setHeight
+from ...runs.staged import Stage
+from ...runs.state import BedState, later
 from ...scene.engines import engine, superquadricEngines
 from ...scene.filling import rainFilling
-from .parameters import bedPart, bedTimeStep, breakageSeed, checked, containerHeight, newMaterials, section, shapeOf, strengthOf, testTimeStep
+from ...scene.settling import RestCriterion, settle as settleBed
+from ...scene.walls import boxContainer, cylinderContainer, setHeight
+from . import report
+from .parameters import BOX, OedometerParameters
 from .record import Averages, row, strain
-from ...scene.settling import RestCriterion, settle
-from ...measure.snapshot import Snapshot, boxHalfHeights
 
 RAIN_GAP = 0.05             # clear distance of the particles at the start, over their diameter: they have little way to fall
 QUIET, SUPPORT = 1e-3, 0.1  # at rest before the plate is put on, see RestCriterion: the plate moves everything again
@@ -30,149 +36,171 @@ SEATING_DAMPING = 0.3       # non-viscous, from the rain to the end of the hold:
 MARGIN = 0.2                # of the collider over the smallest half size, see superquadricEngines
 
 
-class OedometerRun(BedRun):
+@dataclass(repr=False, eq=False, kw_only=True)
+class OedometerState(BedState):
+    """What a resumed test has to know beside scene and parameters."""
+
+    rows: list[dict[str, Any]] = field(default_factory=list)                     # of the record, see `record.row`
+    settling: dict[str, Any] = field(default_factory=lambda: {'calm': True})     # memory of the criterion of rest
+    particles: int = later()                                                     # number of them before any breaks
+    solid: float = later()                                                       # their volume [m3]
+    settled: bool = later()                                                      # whether they came to rest
+    plate: int = later()                                                         # id of the plate
+    sums: dict[str, float] | None = None                                         # of the forces in a portion of steps, see `record.Averages`
+    height: float = later()                                                      # of the bed under the seated plate [m]
+    startTime: float = later()                                                   # of the compression [s]
+    startIter: int = later()
+    before: dict[str, list[float]] = later()                                     # contacts before it
+
+
+def settle(run: OedometerRun) -> None:
+    """The rain comes to rest, then the plate is put on."""
+    criterion = RestCriterion(run.ids, (run.container.baseId, *run.container.sideIds), QUIET, SUPPORT, run.state.settling)
+    run.state.settled = settleBed(run.stepper, criterion, run.parameters.maxSettlingTime)
+    particles = Snapshot.ofBodies(run.ids)
+    top = float((particles.positions + boxHalfHeights(particles))[:, 2].max())
+    run.state.container = setHeight(run.container, max(top, run.parameters.containerHeight()))._asdict()
+    run.state.plate = O.bodies.append(utils.wall((0, 0, top), axis=2, sense=-1, material='walls'))
+    run.movePlate(SEATING_SPEED)
+
+
+def seat(run: OedometerRun) -> None:
+    """The plate comes down until it bears seatingStress."""
+    while _plateStress(run, SEATING_STEPS) < run.parameters.seatingStress:
+        if run.plate.state.pos[2] <= 0:
+            raise ValueError(f'seatingStress = {run.parameters.seatingStress!r}: the plate came down to the base without meeting it')
+    run.movePlate(0)
+
+
+def hold(run: OedometerRun) -> bool:
+    """The plate stands still. What stopped it may have been a single grain that gave way: then it has to be seated again, and this is False."""
+    if _plateStress(run, HOLD_STEPS) < HELD_SHARE * run.parameters.seatingStress:
+        run.movePlate(SEATING_SPEED)
+        return False
+    Snapshot.ofBodies(run.ids).save(run.path(report.BEFORE))
+    run.state.height = float(run.plate.state.pos[2])
+    return True
+
+
+def _plateStress(run: OedometerRun, steps: int) -> float:
+    """Mean axial stress [Pa] on the plate over the next `steps`."""
+    averages = Averages(run.state)
+    run.stepper.run(steps, averages.add)
+    return averages.take()['plate'] / run.area
+
+
+def prepare(run: OedometerRun) -> None:
+    """The particles become breakable."""
+    p, state = run.parameters, run.state
+    run.bedIsDone()
+    engine(NewtonIntegrator).damping = p.numericalDamping
+    if p.breaks():
+        O.materials['particles'].updateAttrs(p.strength())
+        O.engines = [BreakageEngine(criterion=p.criterion, mode=p.mode, cutExponent=p.cutExponent, maxEvents=p.maxEvents,
+                                    smallestFragment=p.smallestFragment, inertialSize=p.inertialSize, seed=p.seedOfBreakage())] + O.engines
+    O.dt = p.testTimeStep()
+    O.trackEnergy = True
+    state.startTime, state.startIter = O.time, O.iter
+    state.before = report.contactsNow(run.ids)
+
+
+def compress(run: OedometerRun) -> None:
+    """The plate comes down, record by record, until the test is over."""
+    p, rows = run.parameters, run.state.rows
+    while not _isOver(run):
+        rate = _strainRate(run)
+        run.movePlate(rate * run.state.height)
+        averages = Averages(run.state)
+        run.stepper.run(max(1, round(p.sampleStrain / (rate * O.dt))), averages.add)
+        rows.append(row(run, averages.take(), rate))
+
+
+def _strainRate(run: OedometerRun) -> float:
+    """[1/s]: strainRate, but never more than inertialNumber allows at the present stress (`record.row`)."""
+    p, rows = run.parameters, run.state.rows
+    stress = max(rows[-1]['plateStress'] if rows else 0.0, p.seatingStress)
+    return min(p.strainRate, p.inertialNumber / p.largestDiameter * math.sqrt(stress / p.density))
+
+
+def _isOver(run: OedometerRun) -> bool:
+    p, rows = run.parameters, run.state.rows
+    if not rows:
+        return False
+    enough = p.maxParticles is not None and rows[-1]['particles'] >= p.maxParticles
+    return enough or rows[-1]['plateStress'] >= p.maxStress or strain(run) >= p.maxStrain * (1 - 1e-9)
+
+
+def writeReport(run: OedometerRun) -> None:
+    run.summary = report.write(run)
+
+
+class OedometerRun(BedRun[OedometerParameters, OedometerState]):
     """A run in the folder `output`. Make it with `begin`, `onBed` or `resume`, then `run()`; `summary` holds the results.
 
     `run(until='prepare')` leaves the finished bed in the folder, for any number of tests.
     """
 
-    STAGES = ('settle', 'seat', 'hold', 'prepare', 'compress', 'report')
+    PARAMETERS, STATE = OedometerParameters, OedometerState
+    STAGES = (Stage('settle', settle), Stage('seat', seat), Stage('hold', hold, backTo='seat'), Stage('prepare', prepare),
+              Stage('compress', compress), Stage('report', writeReport))
     FILES = report.FILES
-    checked, bedPart = staticmethod(checked), staticmethod(bedPart)
 
     @classmethod
-    def begin(cls, parameters, output, stream=sys.stderr):
-        """Check `parameters` (a dict, see `oedometerparameters.PARAMETERS`), then build the scene; YADE's present scene is dropped, and so are
-        the results of an earlier run in the folder.
+    def begin(cls, parameters: Mapping[str, Any], output: str, stream: TextIO | None = sys.stderr) -> Self:
+        """Check `parameters` (see `OedometerParameters`), then build the scene; YADE's present scene is dropped, and so are the results of an
+        earlier run in the folder.
 
         :raises ValueError: a bad parameter, or a folder that holds an interrupted run; before anything changes
         """
-        state = {'parameters': checked(parameters), 'stage': 'settle', 'settling': {'calm': True}}
-        run = cls.inFolder(output, state, stream=stream)
+        run = cls.inFolder(output, OedometerParameters.checked(parameters), OedometerState(stage='settle'), stream)
         run._build()
         return run
 
     @property
-    def plate(self):
+    def plate(self) -> Any:
         """The plate's body."""
-        return O.bodies[self.state['plate']]
+        return O.bodies[self.state.plate]
+
+    def movePlate(self, speed: float) -> None:
+        """Give the plate a `speed` downward [m/s]."""
+        self.plate.state.vel = (0, 0, -speed)
 
     @property
-    def ids(self):
+    def ids(self) -> list[int]:
         """Of all particles there are."""
         return [body.id for body in O.bodies if isinstance(body.shape, (Sphere, Superquadric))]
 
     @property
-    def area(self):
+    def area(self) -> float:
         """Of the plate [m2]."""
-        return section(self.parameters)
+        return self.parameters.section()
 
-    def _plan(self):
-        p, stages = self.parameters, self.STAGES[self.STAGES.index(self.state['stage']):]
-        done = self.state['rows'][-1]['strain'] if self.state.get('rows') else 0.0
-        steps = {'settle': 0.6 * p['settlingTime'] / bedTimeStep(p), 'seat': p['largestDiameter'] / SEATING_SPEED / bedTimeStep(p),
-                 'hold': HOLD_STEPS, 'compress': (p['maxStrain'] - done) / p['strainRate'] / testTimeStep(p)}
-        return {stage: steps.get(stage, 0) for stage in stages}
+    def expectedSteps(self) -> dict[str, float]:
+        p, names = self.parameters, [stage.name for stage in self.STAGES]
+        done = self.state.rows[-1]['strain'] if self.state.rows else 0.0
+        steps = {'settle': 0.6 * p.maxSettlingTime / p.bedTimeStep(), 'seat': p.largestDiameter / SEATING_SPEED / p.bedTimeStep(),
+                 'hold': HOLD_STEPS, 'compress': (p.maxStrain - done) / p.strainRate / p.testTimeStep()}
+        return {name: steps.get(name, 0) for name in names[names.index(self.state.stage):]}
 
-    def _build(self):
+    def _build(self) -> None:
         """The scene: the container, with the particles on their way down."""
-        p = self.parameters
+        p, state = self.parameters, self.state
         O.reset()
         material, walls = newMaterials(p)
         O.materials.append(material)
         O.materials.append(walls)
-        height = containerHeight(p)
-        container = (boxContainer(p['width'], p['width'], height, walls) if p['container'] == 'box' else
-                     cylinderContainer(p['width'] / 2, height, walls))
-        shapes = particleShapes(p)
-        ids, container = rainFilling(shapes, container, material, p['seed'], gap=RAIN_GAP)
-        O.engines = superquadricEngines(gravity=(0, 0, -p['gravity']), damping=SEATING_DAMPING, law='curvature',
+        height, width = p.containerHeight(), p.containerWidth
+        container = boxContainer(width, width, height, walls) if p.container == BOX else cylinderContainer(width / 2, height, walls)
+        shapes = p.drawnShapes()
+        ids, container = rainFilling(shapes, container, material, p.seed, gap=RAIN_GAP)
+        O.engines = superquadricEngines(gravity=(0, 0, -p.gravity), damping=SEATING_DAMPING, law='curvature',
                                         verletDist=MARGIN * min(min(shape.extents) for shape in shapes))
-        O.dt = bedTimeStep(p)
-        self.state.update(container=container._asdict(), rows=[], particles=len(ids),
-                          solid=sum(shape.volume for shape in shapes))
-
-    def _settle(self):
-        criterion = RestCriterion(self.ids, (self.container.baseId, *self.container.sideIds), QUIET, SUPPORT, self.state['settling'])
-        self.state['settled'] = settle(self.stepper, criterion, self.parameters['settlingTime'])
-        self._putOnPlate()
-        self.state['stage'] = 'seat'
-
-    def _putOnPlate(self):
-        particles = Snapshot.ofBodies(self.ids)
-        top = float((particles.positions + boxHalfHeights(particles))[:, 2].max())
-        self.state['container'] = setHeight(self.container, max(top, containerHeight(self.parameters)))._asdict()
-        self.state['plate'] = O.bodies.append(utils.wall((0, 0, top), axis=2, sense=-1, material='walls'))
-        self.plate.state.vel = (0, 0, -SEATING_SPEED)
-
-    def _seat(self):
-        """The plate comes down until it bears seatingStress."""
-        while self._plateStress(SEATING_STEPS) < self.parameters['seatingStress']:
-            if self.plate.state.pos[2] <= 0:
-                raise ValueError(f'seatingStress = {self.parameters["seatingStress"]!r}: the plate came down to the base without meeting it')
-        self.plate.state.vel = (0, 0, 0)
-        self.state['stage'] = 'hold'
-
-    def _hold(self):
-        """The plate stands still. What stopped it may have been a single grain that gave way: then it goes on."""
-        if self._plateStress(HOLD_STEPS) < HELD_SHARE * self.parameters['seatingStress']:
-            self.plate.state.vel = (0, 0, -SEATING_SPEED)
-            self.state['stage'] = 'seat'
-            return
-        Snapshot.ofBodies(self.ids).save(self.path(report.BEFORE))
-        self.state.update(stage='prepare', height=float(self.plate.state.pos[2]))
-
-    def _plateStress(self, steps):
-        """Mean axial stress [Pa] on the plate over the next `steps`."""
-        averages = Averages(self.state)
-        self.stepper.run(steps, averages.add)
-        return averages.take()['plate'] / self.area
-
-    def _prepare(self):
-        """The particles become breakable."""
-        p = self.parameters
-        engine(NewtonIntegrator).damping = p['damping']
-        if p['mode'] != 'none':
-            O.materials['particles'].updateAttrs(strengthOf(p))
-            O.engines = [BreakageEngine(criterion=p['criterion'], mode=p['mode'], cutExponent=p['cutExponent'], maxEvents=p['maxEvents'],
-                                        smallestFragment=p['smallestFragment'], inertialSize=p['inertialSize'],
-                                        seed=breakageSeed(p))] + O.engines
-        O.dt = testTimeStep(p)
-        O.trackEnergy = True
-        self.state.update(stage='compress', startTime=O.time, startIter=O.iter)
-        self.state.setdefault('bedSeconds', self.state['seconds'])
-        self.state['before'] = report.contactsNow(self.ids)
-
-    def _compress(self):
-        p, rows = self.parameters, self.state['rows']
-        while not self._over():
-            rate = self._strainRate()
-            self.plate.state.vel = (0, 0, -rate * self.state['height'])
-            averages = Averages(self.state)
-            self.stepper.run(max(1, round(p['sampleStrain'] / (rate * O.dt))), averages.add)
-            rows.append(row(self, averages.take(), rate))
-        self.state['stage'] = 'report'
-
-    def _strainRate(self):
-        """[1/s]: strainRate, but never more than inertialNumber allows at the present stress (`oedometerrecord.row`)."""
-        p, rows = self.parameters, self.state['rows']
-        stress = max(rows[-1]['plateStress'] if rows else 0.0, p['seatingStress'])
-        return min(p['strainRate'], p['inertialNumber'] / p['largestDiameter'] * math.sqrt(stress / p['density']))
-
-    def _over(self):
-        p, rows = self.parameters, self.state['rows']
-        if not rows:
-            return False
-        enough = p['maxParticles'] is not None and rows[-1]['particles'] >= p['maxParticles']
-        return enough or rows[-1]['plateStress'] >= p['maxStress'] or strain(self) >= p['maxStrain'] * (1 - 1e-9)
-
-    def _report(self):
-        self.summary = report.write(self)
-        self.state['stage'] = 'done'
+        O.dt = p.bedTimeStep()
+        state.container, state.particles, state.solid = container._asdict(), len(ids), sum(shape.volume for shape in shapes)
 
 
-def particleShapes(parameters):
-    """`ParticleShape` of every particle: uniformly distributed sizes."""
-    rng = random.Random(f'sizes {parameters["seed"]}')  # another sequence than the one that places the particles
-    low, high = parameters['smallestDiameter'], parameters['largestDiameter']
-    return [shapeOf(parameters, low + (high - low) * rng.random()) for _ in range(parameters['particles'])]
+def newMaterials(p: OedometerParameters) -> tuple[Any, Any]:
+    """The materials of particles, which do not break yet, and of walls; not yet in the scene."""
+    common = p.attributes()
+    return (BreakableMat(**common, label='particles'),
+            CurvatureMat(**{**common, 'frictionAngle': math.atan(p.wallFriction)}, label='walls'))

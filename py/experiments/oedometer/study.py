@@ -1,8 +1,7 @@
 """Studies of oedometer tests (scripts/oedometer.py). The bed is a job of its own: tests that differ only in what is done to it share it."""
-from . import parameters
-from .report import CONSERVED, SLOW
+from .parameters import OedometerParameters
+from .case import CONSERVED, SLOW
 from ..experiment import PROVENANCE, Experiment
-from ..particles import standard
 from .curves import drawContacts, drawGradings, drawStresses
 
 MEASURED = {
@@ -82,8 +81,8 @@ def _costs(particles):
 
 
 OEDOMETERS = Experiment(
-    name='oedometer', script='oedometer.py', folder='tests', parameters=parameters.PARAMETERS, bedScope=parameters.BED, bedJobs=True,
-    checked=parameters.checked, standard=standard, particleCount=lambda values: values['particles'], costs=_costs, places=None,
+    name='oedometer', script='oedometer.py', folder='tests', parameters=OedometerParameters, bedJobs=True,
+    particleCount=lambda parameters: parameters.particles, costs=_costs, places=None,
     measured=MEASURED, derived=DERIVED, mayBeMissing=('firstStress', 'onsetStress'),  # where so few break
     runSeconds='runSeconds', shown=('strain', 'stress', 'onsetStress', 'number', 'hardin', 'fragmentsWidestGap', 'carryingContactNumber',
                                     'carryingForceSpread', 'plateOverBase'),

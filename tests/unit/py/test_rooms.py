@@ -22,13 +22,13 @@ PY_ROOMS = {
     'mesh': ('checks', 'files', 'scene', 'measure'),
     'vtk': ('checks', 'files', 'scene', 'measure', 'mesh'),
     'pictures': ('checks', 'renamed', 'files', 'measure', 'mesh', 'vtk'),
-    'experiments': ('scene', 'runs'),
+    'experiments': ('checks', 'scene', 'runs'),
     'experiments/impact': ('checks', 'statistics', 'files', 'scene', 'measure', 'runs', 'vtk', 'pictures', 'experiments'),
     'experiments/damper': ('checks', 'statistics', 'files', 'scene', 'runs', 'materials', 'pictures', 'experiments'),
     'experiments/oedometer': ('checks', 'statistics', 'files', 'scene', 'measure', 'runs', 'pictures', 'experiments'),
     'validations': ('checks', 'scene', 'pictures'),
     'plasticity': ('version', 'files', 'materials', 'pictures'),
-    'study': ('checks', 'statistics', 'files', 'pictures', 'experiments', 'experiments/impact', 'experiments/damper', 'experiments/oedometer'),
+    'study': ('checks', 'statistics', 'files', 'runs', 'pictures', 'experiments', 'experiments/impact', 'experiments/damper', 'experiments/oedometer'),
 }
 EXPERIMENTS = ('experiments/impact', 'experiments/damper', 'experiments/oedometer')  # they stand beside each other
 
