@@ -1,10 +1,21 @@
 """The measured quantities that findings and figures may ask for: columns of the table, with names and units for readers."""
+from __future__ import annotations
+from typing import NamedTuple
+
 import math
 import numbers
-from collections import namedtuple
+from collections.abc import Collection, Iterable, Mapping
+from typing import Any
 
-Quantity = namedtuple('Quantity', 'name symbol unit factor')
-Quantity.__doc__ = """A column of the table for readers: name, symbol (or ''), unit (or ''), and by what its SI value is multiplied to get there."""
+
+class Quantity(NamedTuple):
+    """A column of the table for readers: name, symbol (or ''), unit (or ''), and by what its SI value is multiplied to get there."""
+
+    name: str
+    symbol: str
+    unit: str
+    factor: float
+
 
 QUANTITIES = {
     'peak': Quantity('peak force', '$P$', 'kN', 1e-3),
@@ -96,7 +107,7 @@ X_LABELS = {'thickness': 'thickness $H$ [m]', 'aspect': 'aspect ratio $c/a$', 'n
             'n': 'exponent $n$', 'friction': 'coefficient of friction', 'speed': 'speed $V_0$ [m/s]'}
 
 
-def checkQuantity(name, value, columns):
+def checkQuantity(name: str, value: Any, columns: Collection[str]) -> str:
     """`value` if it is the name of a quantity that is among the `columns` of the table."""
     known = [quantity for quantity in QUANTITIES if quantity in columns]
     if not isinstance(value, str) or value not in known:
@@ -104,16 +115,16 @@ def checkQuantity(name, value, columns):
     return value
 
 
-def isNumber(value):
+def isNumber(value: Any) -> bool:
     return isinstance(value, numbers.Real) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def allNumbers(values):
+def allNumbers(values: Iterable[Any]) -> bool:
     """Whether the x values make an axis (else they are names, such as those of variants)."""
     return all(map(isNumber, values))
 
 
-def axisLabel(y):
+def axisLabel(y: str) -> str:
     """Label of an axis for the quantity `y`, such as 'peak force P [kN]'."""
     quantity = QUANTITIES[y]
     symbol = f' {quantity.symbol}' if quantity.symbol else ''
@@ -121,18 +132,18 @@ def axisLabel(y):
     return quantity.name + symbol + unit
 
 
-def xAxisLabel(group):
+def xAxisLabel(group: Mapping[str, Any]) -> str:
     """Label of the x axis of a plan's group: its own, or one made from the parameter's name."""
     return group.get('xLabel') or X_LABELS.get(group['xName'], group['xName'])
 
 
-def xSentence(label, value):
+def xSentence(label: str, value: Any) -> str:
     """'thickness H = 0.02 m' from the label 'thickness H [m]' and the value 0.02."""
     name, _, unit = label.partition(' [')
     return f'{name} = {xText(value)} {unit.rstrip("]")}'.strip()
 
 
-def plain(value, digits=3):
+def plain(value: float | None, digits: int = 3) -> str:
     """A number for readers: `digits` significant ones, no exponent between 1e-3 and 1e6; '-' for nothing."""
     if value is None or not math.isfinite(value):
         return '-'
@@ -142,23 +153,23 @@ def plain(value, digits=3):
     return f'{value:.{digits}g}'
 
 
-def signed(value):
+def signed(value: float) -> str:
     """A difference for readers."""
     text = plain(value)
     return text if text.startswith('-') else '+' + text
 
 
-def xText(value):
+def xText(value: Any) -> str:
     """An x value for readers, as it was given."""
     return f'{value:g}' if isNumber(value) else str(value)
 
 
-def counted(number, noun='run'):
+def counted(number: int, noun: str = 'run') -> str:
     """'1 run', '3 runs'."""
     return f'{number} {noun}{"" if number == 1 else "s"}'
 
 
-def inUnit(y, value, digits=3):
+def inUnit(y: str, value: float, digits: int = 3) -> str:
     """The SI value of a quantity as text in its reader's unit."""
     quantity = QUANTITIES[y]
     return f'{plain(quantity.factor * value, digits)} {quantity.unit}'.strip()
