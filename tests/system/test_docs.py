@@ -13,7 +13,7 @@ from yade import O
 
 from project import LIMIT, PROJECT
 
-PAGES = [PROJECT / 'README.md', *sorted((PROJECT / 'docs').glob('*.md'))]
+PAGES = [PROJECT / 'README.md', PROJECT / 'CONTRIBUTING.md', *sorted((PROJECT / 'docs').glob('*.md'))]
 CONSOLE = dict(vars(__main__))  # the names that YADE's console offers: pytest runs in one
 # A line that begins with a command, and those that go on with it after a backslash.
 COMMAND = re.compile(r'^(?: {4})?(?:sudo )?(?:tools/env|yade|yade-batch|make|tests/bench/run|tests/run) (?:.*\\\n)*.*', re.M)
@@ -101,7 +101,7 @@ def test_commands(page):
     assert not problems, '\n'.join(problems)
 
 
-@pytest.mark.parametrize('page', [PAGES[0], *sorted((PROJECT / 'docs').rglob('*.md'))], ids=named)
+@pytest.mark.parametrize('page', [*PAGES[:2], *sorted((PROJECT / 'docs').rglob('*.md'))], ids=named)
 def test_links(page):
     assert not list(deadLinks(page))
 

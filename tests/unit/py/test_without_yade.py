@@ -5,7 +5,6 @@ import subprocess
 import sys
 
 import pytest
-
 from project import LIMIT, PROJECT, SUPPORT
 
 # Modules that make or read a scene, and those that need getfem; every other module of py/ is plain Python.
@@ -21,7 +20,7 @@ OF_GETFEM = {'plasticity.body', 'plasticity.cases', 'plasticity.identify'}
 PROGRAMS = {'pictures.renderprocess'}  # run as they are imported
 PLAIN_ROOMS = ('statistics', 'files')  # nothing in them may need YADE
 
-IMPORT_EACH = '''
+IMPORT_EACH = """
 import importlib, json, sys
 import plainpackage
 failed = {}
@@ -32,7 +31,7 @@ for name in json.load(sys.stdin):
     except ImportError as error:
         failed[name] = str(error)
 json.dump(failed, sys.stdout)
-'''
+"""
 
 
 def modules():

@@ -5,13 +5,13 @@ import os
 
 import pytest
 import yaml
+from project import PROJECT
 
 from yade.superquadric.experiments.impact.parameters import ImpactParameters
 from yade.superquadric.runs.parameters import BED
-from yade.superquadric.study import plan as plans, studyfile
 from yade.superquadric.experiments.quantities import xAxisLabel
-
-from project import PROJECT
+from yade.superquadric.study import plan as plans
+from yade.superquadric.study import studyfile
 
 GROUP = {'x': {'thickness': [0.01, 0.02]}, 'series': {'ball': {'shape': 'sphere'}, 'die': {'shape': 'cube'}},
          'figures': {'forces': {'kind': 'curves'}, 'peaks': {'kind': 'trend', 'y': ['peak']}},
