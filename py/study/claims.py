@@ -7,9 +7,10 @@ import math
 from collections import namedtuple
 from itertools import pairwise
 
-from ..experiments.quantities import QUANTITIES, counted, inUnit, xText
+from ..experiments.quantities import counted, inUnit, xText
 from ..statistics.samples import holm, leastP, trend
 from ..statistics.saturation import FEWEST, fitSaturation
+from .experiments import QUANTITIES
 from .measure import Measure, pText
 
 ALPHA = 0.05
@@ -146,7 +147,7 @@ def _withinPart(data, finding, name):
     low, high = finding.get('low', -math.inf), finding.get('high', math.inf)
     inside = {x: [low <= value <= high for value in sample] for x, sample in samples.items()}
     decided = 'supported' if all(map(all, inside.values())) else 'undecided' if all(map(any, inside.values())) else 'contradicted'
-    values = '; '.join(f'{", ".join(inUnit(finding["y"], value) for value in sample)} at {xText(x)}' for x, sample in samples.items())
+    values = '; '.join(f'{", ".join(inUnit(QUANTITIES[finding["y"]], value) for value in sample)} at {xText(x)}' for x, sample in samples.items())
     return Part(name, decided, f'{_named(finding["y"])} is {values}; {_runs(samples)}.', {'outside': [x for x in inside if not all(inside[x])]})
 
 

@@ -1,9 +1,11 @@
-"""The kinds of experiment that studies know."""
+"""The kinds of experiment that studies know, and the quantities of all of them."""
 from ..experiments.damper.study import DAMPERS
 from ..experiments.impact.study import IMPACTS
 from ..experiments.oedometer.study import OEDOMETERS
 
 EXPERIMENTS = {experiment.name: experiment for experiment in (IMPACTS, DAMPERS, OEDOMETERS)}
+# {column: `quantities.Quantity`}: a column of this name has the same in all experiments.
+QUANTITIES = {name: quantity for experiment in EXPERIMENTS.values() for name, quantity in experiment.quantities().items()}
 
 
 def experimentOf(plan):

@@ -3,7 +3,7 @@ import math
 from collections import namedtuple
 
 from .. import checks
-from ..experiments.quantities import allNumbers, checkQuantity
+from ..experiments.quantities import allNumbers
 from . import claims, comparisons
 
 Test = namedtuple('Test', 'judge required optional fewest axis')
@@ -43,7 +43,7 @@ def checkFinding(finding, group):
         if key not in finding:
             raise ValueError(f'{key} = None: a finding needs it ({finding!r})')
     test = TESTS.get(checks.oneOf('test', finding['test'], tuple(TESTS)))
-    checkQuantity('y', finding['y'], group['experiment'].columns())
+    group['experiment'].checkedQuantity('y', finding['y'])
     known = COMMON + test.required + test.optional
     for key in finding:
         if key not in known:

@@ -3,8 +3,9 @@ import math
 
 import numpy
 
-from ..experiments.quantities import QUANTITIES, inUnit, signed
+from ..experiments.quantities import inUnit, signed
 from ..statistics.samples import contrast, shareBeds
+from .experiments import QUANTITIES
 
 
 class Measure:
@@ -56,7 +57,7 @@ class Measure:
 
     def value(self, sample):
         """Mean of a sample for readers."""
-        return inUnit(self.y, float(numpy.mean(sample)))
+        return inUnit(QUANTITIES[self.y], float(numpy.mean(sample)))
 
 
 def pText(p):

@@ -2,10 +2,10 @@
 import math
 import os
 
-from ..experiments.quantities import QUANTITIES, axisLabel, counted, isNumber, plain, xText
+from ..experiments.quantities import axisLabel, counted, isNumber, plain, xText
 from ..files import results
 from ..statistics.samples import typicalValue
-from .experiments import experimentOf
+from .experiments import QUANTITIES, experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
@@ -140,7 +140,7 @@ def _figureLines(figure):
 def _tableLines(group, shown):
     if not group['points']:
         return []
-    heads = [group['xName'], 'beds'] + [axisLabel(y).replace('$', '').replace('_', '') for y in shown]
+    heads = [group['xName'], 'beds'] + [axisLabel(QUANTITIES[y]).replace('$', '').replace('_', '') for y in shown]
     named = any(point['series'] for point in group['points'])
     heads = ['series'] * named + heads
     lines = ['| ' + ' | '.join(heads) + ' |', '|' + ' --- |' * len(heads)]

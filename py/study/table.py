@@ -64,14 +64,4 @@ def write(table, path):
 
 def _measured(experiment, summary):
     """{column: value} of what the summary holds; KeyError or ValueError where it does not hold all of it."""
-    row = {column: _at(summary, keys) for column, keys in experiment.measured.items()}
-    missing = [column for column, value in row.items() if value is None and column not in experiment.mayBeMissing]
-    if missing:
-        raise ValueError(f'{".".join(experiment.measured[missing[0]])} is null')
-    return {**row, **{column: value(summary) for column, value in experiment.derived.items()}}
-
-
-def _at(content, keys):
-    for key in keys:
-        content = content[key]
-    return content
+    return {column.name: column.of(summary) for column in experiment.measured}
