@@ -10,9 +10,10 @@ from collections.abc import Iterable, Mapping
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
-from ..experiments.quantities import QUANTITIES, counted, inUnit, xText
+from ..experiments.quantities import counted, inUnit, xText
 from ..statistics.samples import Contrast, holm, leastP, trend
 from ..statistics.saturation import FEWEST, Saturation, fitSaturation
+from .experiments import QUANTITIES
 from .measure import Measure, pText
 
 if TYPE_CHECKING:
@@ -160,7 +161,7 @@ def _withinPart(data: GroupData, finding: Mapping[str, Any], name: str) -> Part:
     low, high = finding.get('low', -math.inf), finding.get('high', math.inf)
     inside = {x: [low <= value <= high for value in sample] for x, sample in samples.items()}
     decided = 'supported' if all(map(all, inside.values())) else 'undecided' if all(map(any, inside.values())) else 'contradicted'
-    values = '; '.join(f'{", ".join(inUnit(finding["y"], value) for value in sample)} at {xText(x)}' for x, sample in samples.items())
+    values = '; '.join(f'{", ".join(inUnit(QUANTITIES[finding["y"]], value) for value in sample)} at {xText(x)}' for x, sample in samples.items())
     return Part(name, decided, f'{_named(finding["y"])} is {values}; {_runs(samples)}.', {'outside': [x for x in inside if not all(inside[x])]})
 
 

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 import pandas
 from scipy import stats
 
-from ..experiments.quantities import QUANTITIES, counted, xText
+from ..experiments.quantities import counted, xText
 from ..statistics.samples import Contrast, holm
 from .claims import ALPHA, Part, smallest, verdict
+from .experiments import QUANTITIES
 from .measure import Measure, pText
 
 if TYPE_CHECKING:

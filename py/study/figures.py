@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy
 
 from .. import checks
-from ..experiments.quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
+from ..experiments.quantities import allNumbers, axisLabel, xText
 from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, save
 from ..statistics.samples import typicalValue
+from .experiments import QUANTITIES
 from .measure import Measure
 
 if TYPE_CHECKING:
@@ -47,7 +48,7 @@ def checkFigure(name: str, spec: Any, group: Mapping[str, Any]) -> dict[str, Any
     checks.oneOf('panels', spec.get('panels', 'series'), PANELS)
     if 'y' in kinds[kind]:
         for y in _listed('y', spec.get('y')):
-            checkQuantity('y', y, group['experiment'].columns())
+            group['experiment'].checkedQuantity('y', y)
     for key, known in (('series', group['series']), ('x', group['values'])):
         for value in _listed(key, spec[key]) if key in spec else ():
             checks.oneOf(key, value, tuple(known))
@@ -95,7 +96,7 @@ def _drawTrend(data: GroupData, series: Sequence[str], values: Sequence[Any], qu
     for axes, y in zip(panels[0], quantities):
         for k, name in enumerate(series):
             _drawLine(axes, data, name, values, y, data.series.index(name), k - (len(series) - 1) / 2)
-        axes.set(xlabel=data.xLabel, ylabel=axisLabel(y))
+        axes.set(xlabel=data.xLabel, ylabel=axisLabel(QUANTITIES[y]))
         seen = [QUANTITIES[y].factor * value for name in series for x in values for value in data.sample(y, name, x)]
         if y == 'peak' and data.xName == 'thickness':   # towards which P goes as the bed gets thin
             seen.append(QUANTITIES['P0'].factor * data.runs['P0'].mean())
@@ -170,7 +171,7 @@ def _drawVariants(data: GroupData, series: Sequence[str], values: Sequence[Any],
                 axes.axvline(QUANTITIES[y].factor * typicalValue(data.sample(y, name, x)).mean, color='#bbbbbb', lw=1, zorder=0)
         axes.set_yticks([-row for row in range(len(rows))],
                         [f'{name}: {xText(x)}' if name else xText(x) for name, x in rows] if column == 0 else [''] * len(rows))
-        axes.set(xlabel=axisLabel(y), ylim=(0.6 - len(rows), 0.6))
+        axes.set(xlabel=axisLabel(QUANTITIES[y]), ylim=(0.6 - len(rows), 0.6))
         axes.set_title('against the first', loc='right', fontsize=9, color='#444444', x=1.01, ha='left')
         axes.tick_params(axis='y', length=0)
     return figure

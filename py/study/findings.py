@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import checks
-from ..experiments.quantities import allNumbers, checkQuantity
+from ..experiments.quantities import allNumbers
 from . import claims, comparisons
 
 if TYPE_CHECKING:
@@ -58,7 +58,7 @@ def checkFinding(finding: Any, group: Mapping[str, Any]) -> dict[str, Any]:
         if key not in finding:
             raise ValueError(f'{key} = None: a finding needs it ({finding!r})')
     test = TESTS.get(checks.oneOf('test', finding['test'], tuple(TESTS)))
-    checkQuantity('y', finding['y'], group['experiment'].columns())
+    group['experiment'].checkedQuantity('y', finding['y'])
     known = COMMON + test.required + test.optional
     for key in finding:
         if key not in known:

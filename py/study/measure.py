@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy
 
-from ..experiments.quantities import QUANTITIES, inUnit, signed
+from ..experiments.quantities import inUnit, signed
 from ..statistics.samples import Contrast, contrast, shareBeds
+from .experiments import QUANTITIES
 
 
 class Measure:
@@ -60,7 +61,7 @@ class Measure:
 
     def value(self, sample: Any) -> str:
         """Mean of a sample for readers."""
-        return inUnit(self.y, float(numpy.mean(sample)))
+        return inUnit(QUANTITIES[self.y], float(numpy.mean(sample)))
 
 
 def pText(p: float) -> str:

@@ -6,10 +6,10 @@ import os
 from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ..experiments.quantities import QUANTITIES, axisLabel, counted, isNumber, plain, xText
+from ..experiments.quantities import axisLabel, counted, isNumber, plain, xText
 from ..files import results
 from ..statistics.samples import typicalValue
-from .experiments import experimentOf
+from .experiments import QUANTITIES, experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
@@ -150,7 +150,7 @@ def _figureLines(figure: Mapping[str, Any]) -> list[str]:
 def _tableLines(group: Mapping[str, Any], shown: Sequence[str]) -> list[str]:
     if not group['points']:
         return []
-    heads = [group['xName'], 'beds'] + [axisLabel(y).replace('$', '').replace('_', '') for y in shown]
+    heads = [group['xName'], 'beds'] + [axisLabel(QUANTITIES[y]).replace('$', '').replace('_', '') for y in shown]
     named = any(point['series'] for point in group['points'])
     heads = ['series'] * named + heads
     lines = ['| ' + ' | '.join(heads) + ' |', '|' + ' --- |' * len(heads)]

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import pandas
@@ -72,14 +72,4 @@ def write(table: pandas.DataFrame, path: PathLike) -> None:
 
 def _measured(experiment: Experiment, summary: Mapping[str, Any]) -> dict[str, Any]:
     """{column: value} of what the summary holds; KeyError or ValueError where it does not hold all of it."""
-    row = {column: _at(summary, keys) for column, keys in experiment.measured.items()}
-    missing = [column for column, value in row.items() if value is None and column not in experiment.mayBeMissing]
-    if missing:
-        raise ValueError(f'{".".join(experiment.measured[missing[0]])} is null')
-    return {**row, **{column: value(summary) for column, value in experiment.derived.items()}}
-
-
-def _at(content: Any, keys: Sequence[str]) -> Any:
-    for key in keys:
-        content = content[key]
-    return content
+    return {column.name: column.of(summary) for column in experiment.measured}
