@@ -8,11 +8,12 @@ import csv
 import os
 import sys
 
+import matplotlib
+
 from yade.superquadric.validations import cylinderimpact
 
-import matplotlib
 matplotlib.use('Agg')
-import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen before)
+import matplotlib.pyplot as plt
 
 ANGLES = range(0, 91, 5)
 EXPONENTS = (8.0, 12.0, 20.0)
@@ -26,8 +27,8 @@ def rows():
         for angle in ANGLES:
             measured, expected = cylinderimpact.impact(angle, n1)
             ideal = cylinderimpact.closedForm(cylinderimpact.idealLever(angle), cylinderimpact.MASS, cylinderimpact.INERTIA)
-            yield (n1, angle, measured.velocity / cylinderimpact.SPEED, expected.velocity / cylinderimpact.SPEED, SCALE * measured.spin, SCALE * expected.spin,
-                   ideal.velocity / cylinderimpact.SPEED, SCALE * ideal.spin)
+            yield (n1, angle, measured.velocity / cylinderimpact.SPEED, expected.velocity / cylinderimpact.SPEED,
+                   SCALE * measured.spin, SCALE * expected.spin, ideal.velocity / cylinderimpact.SPEED, SCALE * ideal.spin)
 
 
 def draw(table, path):

@@ -10,12 +10,13 @@ import csv
 import os
 import sys
 
-from yade.superquadric.validations import elastoplasticimpact
+import matplotlib
 from yade.wrapper import ElastoplasticMat
 
-import matplotlib
+from yade.superquadric.validations import elastoplasticimpact
+
 matplotlib.use('Agg')
-import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen before)
+import matplotlib.pyplot as plt
 
 RADIUS = 2.5e-3  # [m]
 TURNING_POINTS = (10, 5, 20, 8, 20, 30, 0)  # overlaps over that at yield

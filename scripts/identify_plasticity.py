@@ -14,8 +14,8 @@ import time
 os.environ['OPENBLAS_NUM_THREADS'] = '1'   # the same bit for bit, and no waiting of threads for each other; before numpy is loaded
 
 from yade.superquadric import checks
-from yade.superquadric.plasticity import cases
 from yade.superquadric.materials import materialfile
+from yade.superquadric.plasticity import cases
 from yade.superquadric.plasticity.contact import NotConverged
 from yade.superquadric.plasticity.identify import Identification
 

@@ -14,18 +14,19 @@ import time
 
 from yade import O
 from yade import superquadric as sq
+from yade.wrapper import CurvatureMat, Superquadric, Wall
+
 from yade.superquadric import checks
 from yade.superquadric.experiments.impact import impactor
-from yade.superquadric.scene import parallel
 from yade.superquadric.files import results
 from yade.superquadric.runs.commandline import BAD_INPUT
-from yade.wrapper import CurvatureMat, Superquadric, Wall
+from yade.superquadric.scene import parallel
 
 FAILED = 1                   # exit code beside those of all scripts
 RADIUS = 5e-3                # of the sphere of a cube's volume [m]
 IMPACTOR = 0.04, 7800.0      # diameter [m], density [kg/m3]
 COLUMNS = ('time', 'bodies', 'momentumX', 'momentumY', 'momentumZ', 'forceX', 'forceY', 'forceZ')
-ENERGIES = ('kinetic', 'elastic', 'gravWork', 'frictionDissip', 'normalViscous', 'tangentialViscous', 'rolling', 'nonconservative')
+ENERGIES = ('kinetic', 'elastPotential', 'gravWork', 'plastDissip', 'normDampDissip', 'shearDampDissip', 'rollingDissip', 'nonconservative')
 
 
 def options():
@@ -36,7 +37,7 @@ def options():
     parser.add_argument('--speed', type=float, default=0.0, help="the sphere's at the surface of the bed [m/s]; 0: no sphere (default)")
     parser.add_argument('--steps', type=int, default=10000, help='time steps (default 10000)')
     parser.add_argument('--every', type=int, default=10, help='steps from one record to the next (default 10)')
-    parser.add_argument('--rebalance', type=int, default=0, help="runs of the collider until bodies change their rank (default 0: never)")
+    parser.add_argument('--rebalance', type=int, default=0, help='runs of the collider until bodies change their rank (default 0: never)')
     parser.add_argument('--output', help='CSV file of the records')
     given = parser.parse_args(sys.argv[1:])
     checks.notNegative('speed', given.speed)

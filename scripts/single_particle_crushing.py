@@ -12,9 +12,9 @@ import os
 import sys
 
 from yade.superquadric import checks
-from yade.superquadric.validations import crushingplots, cutdistribution, singlecrushing
 from yade.superquadric.files import results
 from yade.superquadric.runs.versions import versions
+from yade.superquadric.validations import crushingplots, cutdistribution, singlecrushing
 
 EXPONENTS, CHOSEN = (1, 2, 3), 2  # of the cut; the one that fits tests on rock, as the paper finds
 NAME = 'single_particle_crushing'  # all its files begin with it

@@ -15,7 +15,8 @@ import sys
 
 from yade.superquadric.files import results, sealed
 from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
-from yade.superquadric.study import plan as plans, studyfile, table
+from yade.superquadric.study import plan as plans
+from yade.superquadric.study import studyfile, table
 
 SNAKEFILE = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'study', 'Snakefile')
 SHOWN = ['--log-handler-script', os.path.join(os.path.dirname(SNAKEFILE), 'progress.py')]  # what the user sees of snakemake's work

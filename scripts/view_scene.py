@@ -13,10 +13,19 @@ import time
 import numpy
 from PIL import Image
 from yade import O
-from yade.superquadric import cylinderContainer, particleShape, rainFilling, randomOrientation
-from yade.superquadric import checkTimeStep, criticalTimeStep, setHeight, superquadricEngines
-from yade.superquadric.pictures.view import aim, grabImage, openView
 from yade.wrapper import CurvatureMat
+
+from yade.superquadric import (
+    checkTimeStep,
+    criticalTimeStep,
+    cylinderContainer,
+    particleShape,
+    rainFilling,
+    randomOrientation,
+    setHeight,
+    superquadricEngines,
+)
+from yade.superquadric.pictures.view import aim, grabImage, openView
 
 COLOURS = {'cube': (0.85, 0.45, 0.13), 'cylinder': (0.13, 0.42, 0.70), 'ellipsoid': (0.25, 0.60, 0.25), 'sphere': (0.72, 0.18, 0.20)}
 GREY = 0.42, 0.45, 0.48

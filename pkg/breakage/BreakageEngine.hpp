@@ -64,7 +64,7 @@ private:
 		"It goes first into O.engines, before the collider: it judges by the contacts of the step before, and its fragments take part in the step at "
 			"once. By default it is called at every step (iterPeriod = 1, initRun = True). "
 		"The contact law must be one on the local curvature (:yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, "
-			":yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`): contacts in which fragments are born start without force, see "
+			":yref:`Law2_ScGeom_ElastoplasticPhys_LoadingUnloading`): contacts in which fragments are born start without force, see "
 		":yref:`CurvaturePhys.restOverlap`.\n\n"
 		"Strengths and cuts are drawn from seed and the particle's id alone: a run repeats, also from a saved scene. A value that is refused raises "
 			"ValueError naming the parameter and the value; the engine then stays as it was.",

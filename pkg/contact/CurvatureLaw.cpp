@@ -83,11 +83,11 @@ void CurvatureLaw::apply(CurvaturePhys& phys, ContactKinematics bodies)
 	scene->forces.addTorque(bodies.body2.id, (point - bodies.body2.position).cross(load.force) + load.couple);
 }
 
-void CurvatureLaw::setMasses(CurvaturePhys& phys, const ContactKinematics& bodies, const ContactKinematics::Radii& radii, bool leverArms)
+void CurvatureLaw::setMasses(CurvaturePhys& phys, const ContactKinematics& bodies, const ContactKinematics::Radii& radii, bool effectiveMassAtContact)
 {
 	phys.effectiveRadius = radii.effective;
 	phys.effectiveMass = bodies.mass();
-	phys.normalMass = leverArms ? bodies.normalMass() : phys.effectiveMass;
+	phys.normalMass = effectiveMassAtContact ? bodies.normalMass() : phys.effectiveMass;
 }
 
 void CurvatureLaw::checkOverlapLimit(Real& overlapLimit)

@@ -29,7 +29,7 @@ protected:
 	virtual Load respond(CurvaturePhys& phys, const ContactKinematics& bodies) = 0;
 
 	// Masses and the effective radius of this step, put down in `phys`.
-	static void setMasses(CurvaturePhys& phys, const ContactKinematics& bodies, const ContactKinematics::Radii& radii, bool leverArms);
+	static void setMasses(CurvaturePhys& phys, const ContactKinematics& bodies, const ContactKinematics::Radii& radii, bool effectiveMassAtContact);
 	// Refused values are put back before the error leaves.
 	void checkOverlapLimit(Real& overlapLimit);
 

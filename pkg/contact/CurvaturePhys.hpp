@@ -25,7 +25,7 @@ public:
 		((Real, rollingFriction, NaN, Attr::readonly, "$\\mu_r$ of (13) [-]."))
 		((Real, effectiveMass, NaN, Attr::readonly, "$m^*=m_1m_2/(m_1+m_2)$, of the tangential damping (12) in this step [kg]. |yupdate|"))
 		((Real, normalMass, NaN, Attr::readonly, "$m^*$ of the normal damping (8) in this step, see "
-			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.leverArms` [kg]. |yupdate|"))
+			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.effectiveMassAtContact` [kg]. |yupdate|"))
 		((Real, effectiveRadius, NaN, Attr::readonly, "$R^*$ of (7) in this step, from bounded curvatures [m]. |yupdate|"))
 		((Real, hertzStiffness, 0, Attr::readonly, "$K_n$ of (7) in this step [N/m^1.5]. |yupdate|"))
 		((Real, overlap, 0, Attr::readonly, "Overlap in this step that the law counts, which is the geometry's less restOverlap [m]. |yupdate|"))

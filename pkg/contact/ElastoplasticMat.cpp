@@ -15,7 +15,12 @@ void ElastoplasticMat::check() const
 {
 	CurvatureMat::check();
 	const auto material = plasticity();
-	superquadric::elastoplastic::check(material);
+	try {
+		superquadric::elastoplastic::check(material);
+	} catch (const std::invalid_argument& error) {
+		if (!(yieldStress > 0 && material.yields())) throw;
+		throw std::invalid_argument(std::string(error.what()) + " (the hardening counts as soon as yieldStress is finite: set both at once)");
+	}
 	if (material.yields() && !(yieldStress < young)) refuse("yieldStress", "below Young's modulus", yieldStress);
 	requireNotNegative("rollingDamping", rollingDamping);
 }

@@ -25,7 +25,7 @@ public:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR(ElastoplasticPhys, CurvaturePhys,
-		"Physics of a contact under :yref:`Law2_ScGeom_ElastoplasticPhys_FourPath`. kn is the tangent stiffness of the unloading branch, the largest "
+		"Physics of a contact under :yref:`Law2_ScGeom_ElastoplasticPhys_LoadingUnloading`. kn is the tangent stiffness of the unloading branch, the largest "
 			"one at this overlap, ks = kn/stiffnessRatio; shearDisplacement is the stretch of the "
 		"tangential spring, shearEnergy its energy.",
 		((Real, yieldStress, std::numeric_limits<Real>::infinity(), Attr::readonly, "Of the material that yields, as are the numbers of its "

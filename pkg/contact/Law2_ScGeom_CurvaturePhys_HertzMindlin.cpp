@@ -12,7 +12,7 @@ CurvatureLaw::Load Law2_ScGeom_CurvaturePhys_HertzMindlin::respond(CurvaturePhys
 {
 	const ScGeom& geom = bodies.geom;
 	const ContactKinematics::Radii radius = bodies.radii(overlapLimit);
-	setMasses(phys, bodies, radius, leverArms);
+	setMasses(phys, bodies, radius, effectiveMassAtContact);
 
 	const Response now = response(phys, bodies, radius.smaller);
 	const Real hertz = hm::Pair { phys.effectiveModulus, radius.effective, phys.normalMass }.hertz();

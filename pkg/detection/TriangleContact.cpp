@@ -56,7 +56,7 @@ namespace {
 			const Vector3 &from = v_[i], along = edge(i);
 			if (body_.shape.gaugeWithGradient(from).gradient.dot(along) >= 0) return 0;
 			if (body_.shape.gaugeWithGradient(from + along).gradient.dot(along) <= 0) return 1;
-			double low = 0, high = 1, t = std::clamp(-from.dot(along) / along.squaredNorm(), 0.1, 0.9);
+			double low = 0, high = 1, t = std::clamp(-from.dot(along) / along.squaredNorm(), tolerances::edgeMargin, 1 - tolerances::edgeMargin);
 			for (int k = 0; k < tolerances::edgeIterations && high - low > tolerances::edgeStep; ++k) {
 				const GaugeValue g = body_.shape.gaugeWithHessian(from + t * along);
 				const double first = g.gradient.dot(along), second = along.dot(g.hessian * along);

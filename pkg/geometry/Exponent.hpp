@@ -1,6 +1,8 @@
 // Powers |x|^n for a fixed exponent: whole ones take multiplications, anything else std::pow.
 #pragma once
 
+#include "Tolerances.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -35,7 +37,7 @@ public:
 	}
 	double root(double x) const
 	{
-		return std::abs(x - 1) < nearOne ? rootNearOne(x - 1) : rootAnywhere(x);
+		return std::abs(x - 1) < tolerances::nearOne ? rootNearOne(x - 1) : rootAnywhere(x);
 	}
 
 	// (p^n + q^n)^(1/n) for p, q >= 0, without overflow or loss to underflow.
@@ -48,7 +50,6 @@ public:
 private:
 	// Near a surface the sums whose roots are taken are nearly 1: there the binomial series, in an order that leaves few operations
 	// waiting for one another (Estrin). Its ninth power is below rounding.
-	static constexpr double nearOne = 0.02;
 	double rootNearOne(double e) const
 	{
 		const auto& b = binomial_;

@@ -73,7 +73,7 @@ inline GaugeJet Shape::jet(const Vector3& y) const
 	const double scale = std::max(std::max(size.x(), size.y()), size.z());
 	if (scale == 0) return { 0, Vector3::Zero(), 0, 0, 0, 0, 0 };
 	// Relative to the largest coordinate no power overflows. Near the surface, where most questions are asked, none does anyway.
-	const bool near = scale > 0.25 && scale < 4;
+	const bool near = scale > 1 / tolerances::nearSurface && scale < tolerances::nearSurface;
 	GaugeJet result = near ? jetOf(size, 1) : jetOf(size * (1 / scale), scale);
 	for (int axis = 0; axis < 3; ++axis)
 		result.gradient[axis] = std::copysign(result.gradient[axis], y[axis]);
@@ -96,7 +96,7 @@ inline GaugeJet Shape::jetOfEqualExponents(const Vector3& unit, double scale) co
 // so that nothing underflows or is divided by zero; on it the even split between x and y is taken, which any direction may claim.
 inline GaugeJet Shape::jetOfNestedNorms(const Vector3& unit, double scale) const
 {
-	const double larger = std::max(unit.x(), unit.y()), side = larger > 0.01 ? 1 : larger;
+	const double larger = std::max(unit.x(), unit.y()), side = larger > tolerances::nearAxis ? 1 : larger;
 	const double x = side > 0 ? unit.x() / side : 1, y = side > 0 ? unit.y() / side : 1;
 	const double xLess2 = n2_.powerLessTwo(x), yLess2 = n2_.powerLessTwo(y), xLess1 = xLess2 * x, yLess1 = yLess2 * y;
 	const double sum = xLess1 * x + yLess1 * y;

@@ -11,7 +11,7 @@ namespace superquadric {
 
 namespace {
 
-	constexpr double quarterTurn = 1.57079632679489661923;
+	constexpr double quarterTurn = pi / 2;
 
 	// A quarter of the superellipse |u/p|^n + |v/q|^n = 1, cut into chords whose errors are alike. A short chord of length ds over which the
 	// normal turns by dt has the error ds dt / 8: so each is given the same share of the integral of sqrt(ds dt).
@@ -50,8 +50,7 @@ namespace {
 		}
 
 	private:
-		// Fine enough for the sharpest edge, of some 0.1 rad seen from the centre.
-		static constexpr int pieces = 512;
+		static constexpr int pieces = tolerances::arcPieces;
 
 		// On the ray whose angle is so many pieces of the quarter, in half sizes.
 		Vector3 point(double place) const

@@ -1,4 +1,4 @@
-// Every tolerance of the geometry, each with what it means physically. All but the range of sizes are dimensionless, so that verdicts do not
+// Every tolerance of the project's C++ code, each with what it means physically. All but the range of sizes are dimensionless, so that verdicts do not
 // depend on whether the grains are micrometres or metres.
 #pragma once
 
@@ -126,6 +126,33 @@ constexpr double isotropic = 1e-9;
 
 // Rounding of an energy of rotation, relative.
 constexpr double energyRounding = 1e-13;
+
+// Near a surface the sums whose roots are taken lie within this of 1: there a binomial series of nine terms is exact to rounding.
+constexpr double nearOne = 0.02;
+// A point with coordinates, in half sizes, between this factor and its inverse needs no scaling against overflow: most questions are asked there.
+constexpr double nearSurface = 4;
+// Nearer to the axis than this, in half sizes, x and y are taken relative to the larger of them, against underflow.
+constexpr double nearAxis = 0.01;
+
+// The search for the smallest gauge on a triangle's edge begins at least this part of the edge away from its ends, which have been looked at.
+constexpr double edgeMargin = 0.1;
+
+// Vertices of facets this close, in parts of the shortest edge, are one: meshes come from files with seven digits.
+constexpr double sameVertex = 1e-5;
+
+// An overlap of the square of this over the one at yield: any contact is deeper than its radius long before.
+constexpr double farBeyondYield = 1e9;
+
+// Pieces of the arc by whose chords a quarter of a section is divided: fine enough for the sharpest edge, of some 0.1 rad seen from the centre.
+constexpr int arcPieces = 512;
+
+// The 3D view. A plate that is flatter than this looks the same; neighbouring triangles with normals closer than this [rad] have no line between
+// them; the coarsest quality that is drawn; and the binary logarithms of the pixels for which the coarsest and the finest triangles are made.
+constexpr double flattestDrawn = 1e-6;
+constexpr double flatEdge = 1e-9;
+constexpr double coarsestQuality = 1e-3;
+constexpr int coarsestDetail = 2;
+constexpr int finestDetail = 12;
 
 // Tessellations: more points are a mistake in the error asked for (a sphere takes about 5 times its radius over the error); and how sharply
 // the coarsest grid is searched for, as a ratio of errors.

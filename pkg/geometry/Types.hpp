@@ -9,4 +9,6 @@ namespace superquadric {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
+constexpr double pi = 3.14159265358979323846;
+
 } // namespace superquadric

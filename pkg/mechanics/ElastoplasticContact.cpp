@@ -1,5 +1,7 @@
 #include "ElastoplasticContact.hpp"
 
+#include <pkg/geometry/Tolerances.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -9,9 +11,6 @@
 namespace superquadric::elastoplastic {
 
 namespace {
-	constexpr double pi = 3.14159265358979323846;
-	constexpr double pressureAtYield = 1.6; // p_y/sigma_y, Johnson section 6.1: Mises, Poisson's ratio 0.3
-	constexpr double farBeyondYield = 1e9; // of sqrt(d/dy); any contact is deeper than its radius long before
 
 	[[noreturn]] void refuse(const char* name, const char* condition, double value)
 	{
@@ -74,7 +73,7 @@ namespace {
 		const double H = exponent, c = H - 1;
 		const auto beyond = [&](double w) { return 3 * c * H + w * (6 * H * (c - 1) + w * (6 * (c * c - c - 1) + w * 2 * c * (H - 3))) < 0; };
 		double high = 1;
-		while (!beyond(high) && high < farBeyondYield)
+		while (!beyond(high) && high < tolerances::farBeyondYield)
 			high *= 2;
 		return turningPoint(0, high, beyond);
 	}
@@ -184,7 +183,7 @@ LoadingCurve::Pause LoadingCurve::findPause() const
 	const auto over = [&](double w) { return fittedResidual(w) > pause.residual; };
 	double high = std::max(1., 2 * steepest);
 	while (!over(high)) {
-		if (high > farBeyondYield) return pause;
+		if (high > tolerances::farBeyondYield) return pause;
 		high *= 2;
 	}
 	pause.end = turningPoint(steepest, high, over);

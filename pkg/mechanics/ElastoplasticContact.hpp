@@ -4,6 +4,8 @@
 // thereby is stated at the function. SI units everywhere.
 #pragma once
 
+#include <pkg/geometry/Types.hpp>
+
 #include <limits>
 
 namespace superquadric::elastoplastic {
@@ -35,9 +37,12 @@ void check(const Material& material);
 // plastic deformation is taken to be its own. The order of the two does not matter.
 const Material& softer(const Material& one, const Material& other);
 
+// p_y over sigma_y: by Mises and for Poisson's ratio 0.3, Johnson, Contact Mechanics, section 6.1.
+constexpr double pressureAtYield = 1.6;
+
 // (5)-(7), with the mean modulus E* and the effective radius R of the contact.
 struct YieldPoint {
-	double pressure; // p_y = 1.6 sigma_y (Mises) [Pa]
+	double pressure; // p_y [Pa]
 	double force, overlap, contactRadius; // fy [N], dy [m], ay [m]
 };
 

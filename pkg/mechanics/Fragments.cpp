@@ -8,7 +8,6 @@
 namespace superquadric::fragments {
 
 namespace {
-	constexpr double pi = 3.14159265358979323846;
 
 	// Of one of the blocks, by the bits of its index.
 	Vector3 sides(const Vector3& cut, int index)

@@ -8,7 +8,6 @@
 namespace superquadric::hertzMindlin {
 
 namespace {
-	constexpr double pi = 3.14159265358979323846;
 
 	double shearModulus(double young, double poisson) { return young / (2 * (1 + poisson)); }
 }

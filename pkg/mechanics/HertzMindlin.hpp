@@ -7,6 +7,9 @@
 
 namespace superquadric::hertzMindlin {
 
+// Largest overlap that the law is meant for by default, as a part of the smallest half size [-]; see boundedCurvature.
+constexpr double defaultOverlapLimit = 0.1;
+
 // E* of (7) [Pa], 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2, which is the paper's E/(2(1 - nu^2)) for equal materials.
 double effectiveModulus(double young1, double poisson1, double young2, double poisson2);
 

@@ -5,7 +5,7 @@
 namespace superquadric::oscillator {
 
 namespace {
-	constexpr double twoPi = 6.28318530717958647692;
+	constexpr double twoPi = 2 * pi;
 }
 
 Vector3 harmonicForce(const Vector3& amplitude, double frequency, double phase, double time)

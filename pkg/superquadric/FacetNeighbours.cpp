@@ -1,5 +1,7 @@
 #include "FacetNeighbours.hpp"
 
+#include <pkg/geometry/Tolerances.hpp>
+
 #include <algorithm>
 #include <limits>
 #include <map>
@@ -8,10 +10,8 @@ namespace yade {
 
 namespace {
 
-	// Vertices this close, in parts of the shortest edge, are one: meshes come from files with seven digits.
-	constexpr Real sameVertex = 1e-5;
-
 	using superquadric::MeshFacet;
+	using superquadric::tolerances::sameVertex;
 
 	Real shortestEdge(const MeshFacet& facet)
 	{

@@ -1,6 +1,7 @@
 #include "Gl1_Superquadric.hpp"
 
 #include <pkg/geometry/Tessellation.hpp>
+#include <pkg/geometry/Tolerances.hpp>
 
 #include <GL/gl.h>
 
@@ -30,7 +31,7 @@ namespace {
 	std::array<float, 5> proportions(const superquadric::Shape& solid)
 	{
 		// A flatter plate looks the same.
-		const Vector3r ratios = (solid.halfSizes() / solid.halfSizes().maxCoeff()).cwiseMax(1e-6);
+		const Vector3r ratios = (solid.halfSizes() / solid.halfSizes().maxCoeff()).cwiseMax(superquadric::tolerances::flattestDrawn);
 		return { float(ratios.x()), float(ratios.y()), float(ratios.z()), float(solid.n1()), float(solid.n2()) };
 	}
 
@@ -51,9 +52,9 @@ namespace {
 	// For an error of one of the pixels that the largest half size takes; four of them will do for a net of lines.
 	int detailFor(double pixels, bool wire)
 	{
-		constexpr int coarsest = 2, finest = 12;
+		using namespace superquadric::tolerances;
 		if (wire) pixels /= 4;
-		return int(std::min<double>(finest, std::max<double>(coarsest, std::round(std::log2(std::max(1.0, pixels))))));
+		return int(std::min<double>(finestDetail, std::max<double>(coarsestDetail, std::round(std::log2(std::max(1.0, pixels))))));
 	}
 
 	// What OpenGL reads to draw it: normal and position of each point, and which points are the corners of triangles or the ends of lines. It is kept
@@ -88,7 +89,7 @@ namespace {
 		}
 		for (const auto& [edge, normal] : normals) {
 			const auto [from, to] = edge;
-			const bool flat = normal.cross(normals.at({ to, from })).norm() < 1e-9;
+			const bool flat = normal.cross(normals.at({ to, from })).norm() < superquadric::tolerances::flatEdge;
 			if (from < to && !flat) drawing.indices.insert(drawing.indices.end(), { GLuint(from), GLuint(to) });
 		}
 	}
@@ -164,7 +165,7 @@ void Gl1_Superquadric::go(const shared_ptr<Shape>& shape, const shared_ptr<State
 	const superquadric::Shape& solid = static_cast<const Superquadric&>(*shape).solid();
 	const Real size = solid.halfSizes().maxCoeff();
 	const bool lines = wire || wireAll;
-	const Look look { proportions(solid), detailFor(pixelsOf(size) * std::max(1e-3, quality), lines), lines };
+	const Look look { proportions(solid), detailFor(pixelsOf(size) * std::max(superquadric::tolerances::coarsestQuality, quality), lines), lines };
 	glEnable(GL_NORMALIZE);
 	glColor3dv(shape->color.data());
 	glScaled(size, size, size);

@@ -8,7 +8,6 @@ from ..scene.container import crossSection
 from ..scene.shapes import unitVolume
 from .snapshot import boxHalfHeights, gauge
 
-
 MOST_VOXELS = 2e8  # a byte each
 
 

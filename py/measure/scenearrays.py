@@ -1,6 +1,5 @@
 """Bodies and contacts of the scene as rows of `bodyarrays`, gathered in C++ in one pass (`BodyArrays`): no loop over bodies in Python."""
 import numpy as np
-
 from yade.wrapper import BodyArrays
 
 from ..scene.bodies import numbers

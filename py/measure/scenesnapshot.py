@@ -1,10 +1,10 @@
 """One moment of a scene, as the arrays that files and pictures are made of."""
 import numpy as np
 
-from ..files import arrayfile
-from . import bodyarrays
 from .. import checks
+from ..files import arrayfile
 from ..files.wholefile import ReplacingBytes
+from . import bodyarrays
 
 
 class SceneSnapshot:

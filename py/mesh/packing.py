@@ -4,8 +4,8 @@ from collections import namedtuple
 import numpy as np
 
 from .. import checks
-from .regions import Box, Cylinder, HalfSpaces, Mesh
 from ..measure.snapshot import Snapshot
+from .regions import Box, Cylinder, HalfSpaces, Mesh
 
 ACCURACY = 3e-3
 EMPTY = 1e-12  # of the whole: volume of what half spaces leave of a region, when that is nothing but rounding

@@ -7,10 +7,10 @@ from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import MeshFunctions
 
 from .. import checks
-from ..scene.bodies import rotation
-from ..measure.snapshot import Snapshot, matrix
-from .tessellation import tessellation
 from ..files.wholefile import ReplacingBytes
+from ..measure.snapshot import Snapshot, matrix
+from ..scene.bodies import rotation
+from .tessellation import tessellation
 
 _STL_HEADER = b'yade-superquadric'.ljust(80)
 _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])

@@ -14,8 +14,8 @@ MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box
 UPRIGHT = 1 - 1e-9  # cosine of an axis with another, above which they are the same to rounding
 
 BodySurfaces = namedtuple('BodySurfaces', 'points normals triangles owner')
-BodySurfaces.__doc__ = """The surfaces of many bodies as triangles, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places of points, owner (N,):
-whose row a point belongs to."""
+BodySurfaces.__doc__ = """The surfaces of many bodies as triangles, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places
+of points, owner (N,): whose row a point belongs to."""
 
 
 @lru_cache(maxsize=64)
@@ -56,8 +56,8 @@ def _joined(parts):
 
 
 def containerSurfaces(container, box):
-    """`BodySurfaces` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a hollow cylinder
-    that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
+    """`BodySurfaces` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a
+    hollow cylinder that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
     """
     parts, first = [], 0
     cylinders, edges = container[container['kind'] == bodyarrays.CYLINDER], _edges(container, box)

@@ -9,11 +9,11 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 
 from .. import checks
+from ..files.wholefile import ReplacingBytes, requireFolder
 from ..measure.scenesnapshot import SceneSnapshot
+from ..measure.snapshot import Snapshot
 from .renderer import Renderer
 from .renderpieces import COLOURS, Style, camera, hasScale, pieces
-from ..measure.snapshot import Snapshot
-from ..files.wholefile import ReplacingBytes, requireFolder
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
@@ -53,8 +53,8 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
               rate=12.0, start=None):
     """A GIF of `frames`, all in the same scale and colours; the caption is the time.
 
-    :param frames: a sequence of `SceneSnapshot` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for example, no more than
-        one is in memory; it is read twice
+    :param frames: a sequence of `SceneSnapshot` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for
+        example, no more than one is in memory; it is read twice
     :param rate: frames a second, at most 50; the GIF rounds what each lasts to hundredths of a second (12: 0.08 s)
     :param start: the moment [s] from which the time counts; None: the first frame's
     :param colour, chains, cut, limits, chainLimit, elevation, azimuth, title, width, raises: as in `picture`

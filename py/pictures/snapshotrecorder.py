@@ -6,16 +6,16 @@ from contextlib import suppress
 
 from yade import O
 
+from ..measure.scenesnapshot import SceneSnapshot
 from ..renamed import oldNames
 from ..vtk import recorder
-from ..measure.scenesnapshot import SceneSnapshot
 
 NAME = re.compile(r'(\d{6})\.npz')
 
 
 class SnapshotRecorder:
-    """Looks at the scene after every step (`sample`); what it takes does not depend on where a run was interrupted. SnapshotSequence from after the present
-    moment, which a run took that was killed and goes on from an earlier checkpoint, are removed.
+    """Looks at the scene after every step (`sample`); what it takes does not depend on where a run was interrupted. Snapshots from
+    after the present moment, which a run took that was killed and goes on from an earlier checkpoint, are removed.
 
     :param folder: of the snapshots, None: none are kept; :param series: folder of a series for ParaView, None: none
     :param start: time of the first snapshot; :param period: from one to the next [s]

@@ -7,7 +7,8 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from PIL import Image
 
 from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours
-from . import fit as fits, hertz, unloading
+from . import fit as fits
+from . import hertz, unloading
 from .curves import forceAt
 
 GREY = '#555555'
@@ -99,7 +100,7 @@ def unloadingPicture(path, loading, curves):
                   label='unloading', zorder=3)
         for branch, style, label in ((unloading.lawBranch(curve), '-', r'law: disc $a^2 = R d_{max}$'),
                                      (unloading.originalBranch(curve), ':', 'original $R$'),
-                                     (unloading.discBranch(curve, curve.halfWidth[0]), '--', "disc of the finite elements")):
+                                     (unloading.discBranch(curve, curve.halfWidth[0]), '--', 'disc of the finite elements')):
             overlap = numpy.linspace(branch.residual, curve.overlap[0], 200)
             axes.plot(overlap / overlapUnit, unloading.force(branch, curve.modulus, overlap) / forceUnit, color=GREY, lw=1.3, ls=style, label=label)
         axes.set(xlabel='overlap $d/d_y$', xlim=(0, None), ylim=(0, None))

@@ -7,9 +7,9 @@ import numpy
 import scipy
 
 from ..files import results
+from ..materials import materialfile
 from ..version import __version__
 from . import cases, figures, fit, hertz, page, unloading
-from ..materials import materialfile
 
 CURVE_COLUMNS = ('effectiveRadius', 'overlap', 'force', 'halfWidth')   # [m], [m], [N], [m]
 RANGES = (1 / 3, 1 / 2, 2 / 3)   # of the largest sqrt(R d)/R

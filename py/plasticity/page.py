@@ -3,7 +3,8 @@ import math
 
 import numpy
 
-from . import cases, fit as fits, hertz, unloading
+from . import cases, hertz, unloading
+from . import fit as fits
 from .curves import forceAt
 
 METHOD = """Axisymmetric finite elements (getfem): spheres and plates of this metal, von Mises' plasticity with isotropic hardening along the

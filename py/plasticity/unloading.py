@@ -17,8 +17,8 @@ STEPS = 4001   # of the law's curve
 Branch = namedtuple('Branch', 'radius residual')   # R' [m], dR [m]
 Comparison = namedtuple('Comparison', 'case ratio largest halfWidth residual law original disc returned lawReturned')
 Comparison.__doc__ = """One unloading. ratio: R/R0; largest: dmax/dy; halfWidth: a^2/(R dmax) of the finite elements; residual: dR/dmax; law,
-original, disc: the same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives back over the
-work of loading, lawReturned: the law's branch over the same work."""
+original, disc: the same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives
+back over the work of loading, lawReturned: the law's branch over the same work."""
 
 
 def lawBranch(curve):

@@ -4,20 +4,41 @@ from collections import Counter
 
 from yade import O
 from yade.wrapper import (
-    Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, BreakableMat, CurvatureMat,
-    ElastoplasticMat, ForceResetter, Ig2_Facet_Sphere_ScGeom, Ig2_Facet_Superquadric_SuperquadricGeom,
-    Ig2_HollowCylinder_Sphere_SuperquadricGeom, Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
-    Ig2_Sphere_Sphere_ScGeom, Ig2_Sphere_Superquadric_SuperquadricGeom,
-    Ig2_Superquadric_Superquadric_SuperquadricGeom, Ig2_Wall_Sphere_ScGeom, Ig2_Wall_Superquadric_SuperquadricGeom,
-    InsertionSortCollider, InteractionLoop, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
-    Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
-    Law2_ScGeom_ElastoplasticPhys_FourPath, NewtonIntegrator, Sphere, Superquadric, SuperquadricInteractionLoop)
+    Bo1_Facet_Aabb,
+    Bo1_HollowCylinder_Aabb,
+    Bo1_Sphere_Aabb,
+    Bo1_Superquadric_Aabb,
+    Bo1_Wall_Aabb,
+    BreakableMat,
+    CurvatureMat,
+    ElastoplasticMat,
+    ForceResetter,
+    Ig2_Facet_Sphere_ScGeom,
+    Ig2_Facet_Superquadric_SuperquadricGeom,
+    Ig2_HollowCylinder_Sphere_SuperquadricGeom,
+    Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
+    Ig2_Sphere_Sphere_ScGeom,
+    Ig2_Sphere_Superquadric_SuperquadricGeom,
+    Ig2_Superquadric_Superquadric_SuperquadricGeom,
+    Ig2_Wall_Sphere_ScGeom,
+    Ig2_Wall_Superquadric_SuperquadricGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
+    Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys,
+    Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    Law2_ScGeom_ElastoplasticPhys_LoadingUnloading,
+    NewtonIntegrator,
+    Sphere,
+    Superquadric,
+    SuperquadricInteractionLoop,
+)
 
 from .. import checks
 from .contactlaws import CURVATURE, ELASTOPLASTIC
 
 LAWS = {CURVATURE: (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_CurvaturePhys_HertzMindlin),
-        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_FourPath)}
+        ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading)}
 
 
 def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):

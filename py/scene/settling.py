@@ -13,8 +13,7 @@ from yade.wrapper import CurvatureMat, CurvaturePhys, ElastoplasticMat, NewtonIn
 
 from .. import checks
 from .engines import criticalTimeStep, engine
-from .settlingrules import (
-    CALM, CHECK_STEPS, CHECKS_IN_A_ROW, DAMPING, QUIET, QUIET_SHARE, RAMP_DAMPING, RAMP_STAGES, SUPPORT, rampSteps)
+from .settlingrules import CALM, CHECK_STEPS, CHECKS_IN_A_ROW, DAMPING, QUIET, QUIET_SHARE, RAMP_DAMPING, RAMP_STAGES, SUPPORT, rampSteps
 
 
 class RestCriterion:

@@ -7,10 +7,10 @@ import math
 from collections import namedtuple
 from itertools import pairwise
 
-from .measure import Measure, pText
 from ..experiments.quantities import QUANTITIES, counted, inUnit, xText
-from ..statistics.saturation import FEWEST, fitSaturation
 from ..statistics.samples import holm, leastP, trend
+from ..statistics.saturation import FEWEST, fitSaturation
+from .measure import Measure, pText
 
 ALPHA = 0.05
 WIDEST = 2.0    # an interval of the bend that spans more than this factor supports no claim where it is

@@ -5,10 +5,10 @@ from itertools import combinations, pairwise, product
 import pandas
 from scipy import stats
 
-from .claims import ALPHA, Part, smallest, verdict
-from .measure import Measure, pText
 from ..experiments.quantities import QUANTITIES, counted, xText
 from ..statistics.samples import holm
+from .claims import ALPHA, Part, smallest, verdict
+from .measure import Measure, pText
 
 MARGIN = 0.1        # differences up to 10 % are none, unless the finding says otherwise
 

@@ -4,10 +4,10 @@ import re
 import numpy
 
 from .. import checks
-from .measure import Measure
 from ..experiments.quantities import QUANTITIES, allNumbers, axisLabel, checkQuantity, xText
-from ..statistics.samples import typicalValue
 from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, save
+from ..statistics.samples import typicalValue
+from .measure import Measure
 
 KINDS = {'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
 OF_RECORDS = ('panels', 'x', 'series')   # keys of the kinds that an experiment draws from its records

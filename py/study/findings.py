@@ -3,8 +3,8 @@ import math
 from collections import namedtuple
 
 from .. import checks
-from . import claims, comparisons
 from ..experiments.quantities import allNumbers, checkQuantity
+from . import claims, comparisons
 
 Test = namedtuple('Test', 'judge required optional fewest axis')
 Test.__doc__ = """A test of a finding.

@@ -2,13 +2,13 @@
 import math
 import os
 
+from ..experiments.quantities import QUANTITIES, axisLabel, counted, isNumber, plain, xText
 from ..files import results
+from ..statistics.samples import typicalValue
 from .experiments import experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
-from ..experiments.quantities import QUANTITIES, axisLabel, counted, isNumber, plain, xText
-from ..statistics.samples import typicalValue
 
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
 METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.

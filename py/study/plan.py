@@ -67,7 +67,7 @@ def _xPoints(group, series):
     """(x, parameters that it sets) of all points of one series."""
     if group['variants'] is not None:
         return group['variants'].items()
-    return [(x, {name: x for name in group['series'][series][1]}) for x in group['x'][1]]
+    return [(x, dict.fromkeys(group['series'][series][1], x)) for x in group['x'][1]]
 
 
 def _runsOf(plan, experiment, base, group, series, x, values, number, seeds):

@@ -1,8 +1,8 @@
 """Pictures of single particle crushing, like figures 2-4 of Zhao & Chi (2023), without a display."""
 import numpy as np
 
-from .cutdistribution import CutDistribution
 from ..pictures.style import COLOURS, MARKERS, newFigure, rampColours, save
+from .cutdistribution import CutDistribution
 
 BINS = np.linspace(0, 1, 21)
 MIDDLES = (BINS[1:] + BINS[:-1]) / 2

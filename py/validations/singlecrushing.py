@@ -3,7 +3,6 @@ import math
 import random
 
 import numpy as np
-
 from yade import O, utils
 from yade.minieigenHP import Vector3
 from yade.wrapper import BreakableMat, BreakageEngine

@@ -3,8 +3,8 @@ import os
 
 import numpy as np
 
-from ..measure import bodyarrays
 from ..files import summed
+from ..measure import bodyarrays
 from ..mesh import surfaces
 
 MISSING = 'VTK\'s Python modules are missing: install python3-vtk9, or start with tools/env --with view'

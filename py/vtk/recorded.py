@@ -6,13 +6,14 @@ from copy import copy
 import numpy as np
 
 from ..measure import bodyarrays
-from . import polydata
 from ..measure.scenesnapshot import SceneSnapshot
+from . import polydata
 from .series import Series
 
 
 class RecordedSeries(Sequence):
-    """The series in `folder`: a sequence of `SceneSnapshot`, each read when it is asked for, in the single precision of the files. A slice is such a series.
+    """The series in `folder`: a sequence of `SceneSnapshot`, each read when it is asked for, in the single precision of the files. A slice
+    is such a series.
 
     :raises ValueError: there is none, or a file is missing, damaged or another program's
     """

@@ -6,10 +6,10 @@ from yade import O
 from yade.wrapper import PyRunner
 
 from .. import checks
-from . import polydata
-from ..scene.bodies import present
 from ..measure.scenesnapshot import SceneSnapshot
 from ..mesh.surfaces import DETAIL
+from ..scene.bodies import present
+from . import polydata
 from .series import Series
 
 SERIES = ('particles', 'surfaces', 'contacts', 'container')

@@ -14,11 +14,22 @@ import numpy as np
 from yade import O
 from yade import superquadric as sq
 from yade.minieigenHP import Quaternion, Vector3
-from yade.superquadric.scene import settlingrules
 from yade.wrapper import (
-    Bo1_Sphere_Aabb, Bo1_Wall_Aabb, CurvatureMat, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, Ig2_Wall_Sphere_ScGeom,
-    InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_MindlinPhys, Law2_ScGeom_MindlinPhys_Mindlin,
-    NewtonIntegrator)
+    Bo1_Sphere_Aabb,
+    Bo1_Wall_Aabb,
+    CurvatureMat,
+    ForceResetter,
+    FrictMat,
+    Ig2_Sphere_Sphere_ScGeom,
+    Ig2_Wall_Sphere_ScGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_FrictMat_FrictMat_MindlinPhys,
+    Law2_ScGeom_MindlinPhys_Mindlin,
+    NewtonIntegrator,
+)
+
+from yade.superquadric.scene import settlingrules
 
 RADIUS = 5e-3                   # m, of the sphere of a particle's volume
 WIDTH = 0.168                   # m, of the box: the cross section of a cylinder 19 cm wide,

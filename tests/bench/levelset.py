@@ -6,15 +6,22 @@ quite where they were.
 """
 import math
 
+import beds
+from bedcache import bedFile
 from yade import O, utils
 from yade import superquadric as sq
 from yade.config import features
 from yade.wrapper import (
-    Bo1_Wall_Aabb, ForceResetter, FrictMat, InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
-    Law2_ScGeom_FrictPhys_CundallStrack, MatchMaker, NewtonIntegrator)
-
-import beds
-from bedcache import bedFile
+    Bo1_Wall_Aabb,
+    ForceResetter,
+    FrictMat,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_FrictMat_FrictMat_FrictPhys,
+    Law2_ScGeom_FrictPhys_CundallStrack,
+    MatchMaker,
+    NewtonIntegrator,
+)
 
 NODES, CELLS = 2000, 20
 STIFFNESS = 1e4   # N/m

@@ -8,13 +8,12 @@ import json
 import sys
 import time
 
-from yade import O
-from yade import superquadric as sq
-from yade.wrapper import PyRunner
-
 import beds
 import levelset
 from bedcache import bedFile
+from yade import O
+from yade import superquadric as sq
+from yade.wrapper import PyRunner
 
 
 class Clock:

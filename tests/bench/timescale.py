@@ -9,13 +9,13 @@ import json
 import sys
 import time
 
+import beds
 import numpy as np
+from bedcache import bedFile
 from yade import O
 from yade import superquadric as sq
-from yade.superquadric.scene import parallel
 
-import beds
-from bedcache import bedFile
+from yade.superquadric.scene import parallel
 
 TILE = 'cube', 1000
 

@@ -5,7 +5,7 @@ from yade import wrapper
 from fuzzing import anything, assignable, fuzz, refused, same
 
 CLASSES = ('Superquadric', 'HollowCylinder', 'CurvatureMat', 'ElastoplasticMat', 'BreakableMat', 'BreakableState', 'BreakageEngine',
-           'VibratingBoxEngine', 'VibrationRecorder', 'Law2_ScGeom_CurvaturePhys_HertzMindlin', 'Law2_ScGeom_ElastoplasticPhys_FourPath',
+           'VibratingBoxEngine', 'VibrationRecorder', 'Law2_ScGeom_CurvaturePhys_HertzMindlin', 'Law2_ScGeom_ElastoplasticPhys_LoadingUnloading',
            'SuperquadricGeom', 'CurvaturePhys', 'ElastoplasticPhys', 'Bo1_Superquadric_Aabb', 'Bo1_HollowCylinder_Aabb', 'Ig2_Superquadric_Superquadric_SuperquadricGeom',
            'Ip2_CurvatureMat_CurvatureMat_CurvaturePhys', 'Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys', 'SuperquadricInteractionLoop')
 # YADE's own answers: to the name of no attribute, or of one that is read only; Boost.Python's to a whole number that is too large; and what comes

@@ -52,7 +52,7 @@ def test_below_yield_a_collision_is_hertz(kind, partner):
     assert max(abs(force / hertz(scene.material, scene.radius, overlap) - 1) for force, overlap in forces) < 1e-6
     assert scene.restitution() == pytest.approx(1, abs=1e-6)
     assert len(forces) * O.dt == pytest.approx(elasticDuration(scene.material, scene.radius, scene.mass, scene.speed), rel=3e-3)
-    assert booked()['plastic'] == 0
+    assert booked()['yieldDissip'] == 0
 
 
 @pytest.mark.parametrize('damping, expected', ((0.05, 0.847), (0.06, 0.820), (0.1, 0.725)))
@@ -117,7 +117,7 @@ def test_a_collision_loses_the_area_of_its_loop(part, kind, partner):
     lost = before - scene.kineticEnergy()
     area = sum((end[0] - start[0]) * (start[1] + end[1]) / 2 for start, end in zip(path, path[1:]))
     assert lost > 0.3 * before
-    assert booked()['plastic'] == pytest.approx(lost, abs=1e-6 * before)
+    assert booked()['yieldDissip'] == pytest.approx(lost, abs=1e-6 * before)
     assert area == pytest.approx(lost, abs=1e-6 * before)
 
 

@@ -4,8 +4,8 @@ from isolatedpairs import collide, makePairs
 from yade import O
 
 DURATION = 1e-3  # by then the collisions are over [s]
-OWN_ENTRIES = ('elastic', 'nonconservative')  # of the law, besides the sinks
-SINKS = ('frictionDissip', 'normalViscous', 'tangentialViscous', 'rolling')
+OWN_ENTRIES = ('elastPotential', 'nonconservative')  # of the law, besides the sinks
+SINKS = ('plastDissip', 'normDampDissip', 'shearDampDissip', 'rollingDissip')
 
 
 def roughMaterial(generator):

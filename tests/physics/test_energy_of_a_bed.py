@@ -43,7 +43,7 @@ def test_work_of_gravity_is_found_in_the_energies():
     energies['kinetic'] = kineticEnergy()
     contacts = [interaction.phys for interaction in O.interactions]
     assert len(contacts) > 100
-    assert energies['elastic'] == pytest.approx(
+    assert energies['elastPotential'] == pytest.approx(
         sum(0.4 * phys.hertzStiffness * phys.overlap ** 2.5 + phys.shearEnergy for phys in contacts), rel=1e-12)
-    assert all(energies[sink] > 5e-3 * work for sink in ('frictionDissip', 'normalViscous', 'tangentialViscous', 'rolling'))
+    assert all(energies[sink] > 5e-3 * work for sink in ('plastDissip', 'normDampDissip', 'shearDampDissip', 'rollingDissip'))
     assert sum(energies.values()) == pytest.approx(work, rel=2e-3)

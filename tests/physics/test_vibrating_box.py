@@ -205,14 +205,14 @@ def test_energy_of_box_and_bouncing_ball_closes_with_the_square_of_the_time_step
     coarse, sinks = imbalance(0.1, 0.03, 0.02, 1)
     fine, _ = imbalance(0.025, 0.03, 0.02, 1)
     assert coarse < 5e-4 and fine < coarse / 8  # a sixteenth, but for the steps at which blows begin and end
-    assert sinks['normalViscous'] > 0.02
+    assert sinks['normDampDissip'] > 0.02
 
 
 def test_energy_of_a_shaken_box_of_balls_closes_with_the_time_step():
     coarse, sinks = imbalance(0.1, 0.03, 0.03, 16)
     fine, _ = imbalance(0.025, 0.03, 0.03, 16)
     assert coarse < 5e-3 and fine < coarse / 3  # the law books contacts that turn to first order
-    for name in ('normalViscous', 'tangentialViscous', 'frictionDissip', 'rolling', 'boxDashpot'):
+    for name in ('normDampDissip', 'shearDampDissip', 'plastDissip', 'rollingDissip', 'boxDashpot'):
         assert sinks[name] > 1e-3, name
 
 

@@ -1,13 +1,28 @@
 """A scene with the functors of the shapes only, and how bodies get into it: the tests of shapes and contacts share it."""
 import pytest
-from yade import O, Body
+from yade import Body, O
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import (
-    Bo1_Facet_Aabb, Bo1_HollowCylinder_Aabb, Bo1_Sphere_Aabb, Bo1_Superquadric_Aabb, Bo1_Wall_Aabb, CurvatureMat, ForceResetter,
-    Ig2_Facet_Superquadric_SuperquadricGeom, Ig2_HollowCylinder_Sphere_SuperquadricGeom,
-    Ig2_HollowCylinder_Superquadric_SuperquadricGeom, Ig2_Sphere_Superquadric_SuperquadricGeom, Ig2_Superquadric_Superquadric_SuperquadricGeom,
-    Ig2_Wall_Superquadric_SuperquadricGeom, InsertionSortCollider, InteractionLoop, Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
-    Law2_ScGeom_CurvaturePhys_HertzMindlin, NewtonIntegrator, Superquadric)
+    Bo1_Facet_Aabb,
+    Bo1_HollowCylinder_Aabb,
+    Bo1_Sphere_Aabb,
+    Bo1_Superquadric_Aabb,
+    Bo1_Wall_Aabb,
+    CurvatureMat,
+    ForceResetter,
+    Ig2_Facet_Superquadric_SuperquadricGeom,
+    Ig2_HollowCylinder_Sphere_SuperquadricGeom,
+    Ig2_HollowCylinder_Superquadric_SuperquadricGeom,
+    Ig2_Sphere_Superquadric_SuperquadricGeom,
+    Ig2_Superquadric_Superquadric_SuperquadricGeom,
+    Ig2_Wall_Superquadric_SuperquadricGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
+    Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    NewtonIntegrator,
+    Superquadric,
+)
 
 R = 5e-3
 STILL = 1e-9  # a time step in which nothing moves

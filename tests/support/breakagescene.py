@@ -2,7 +2,6 @@
 import random
 
 import numpy as np
-
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import BreakableMat, BreakageEngine, InsertionSortCollider, InteractionLoop

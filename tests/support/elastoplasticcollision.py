@@ -13,7 +13,7 @@ ALUMINIUM = dict(young=70e9, poisson=0.33, density=2700, frictionAngle=0, yieldS
 ALL_DISSIPATE = dict(frictionAngle=math.atan(0.3), normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.05, rollingDamping=0.1)
 KINDS = ('Sphere', 'Superquadric')
 PARTNERS = ('wall', 'ball')
-SINKS = ('plastic', 'normalViscous', 'tangentialViscous', 'frictionDissip', 'rollingViscous', 'rollingFriction')
+SINKS = ('yieldDissip', 'normDampDissip', 'shearDampDissip', 'plastDissip', 'rollingDampDissip', 'rollingDissip')
 
 
 def effectiveModulus(material):

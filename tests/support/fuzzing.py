@@ -11,7 +11,8 @@ from decimal import Decimal
 from fractions import Fraction
 
 import numpy
-from hypothesis import HealthCheck, given, settings, strategies as st
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 from yade.minieigenHP import Quaternion, Vector2, Vector3
 
 EXAMPLES = 40  # of a test of weight 1 in `make test`

@@ -8,9 +8,10 @@ import sys
 
 from yade import O
 from yade import superquadric as sq
+from yade.wrapper import CurvatureMat, PyRunner, RotationEngine, TriaxialStressController
+
 from yade.superquadric.scene import parallel
 from yade.superquadric.vtk import polydata
-from yade.wrapper import CurvatureMat, PyRunner, RotationEngine, TriaxialStressController
 
 scene, folder = sys.argv[1:]
 messages = []

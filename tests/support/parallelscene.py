@@ -11,8 +11,9 @@ import sys
 from yade import O, utils
 from yade import superquadric as sq
 from yade.minieigenHP import Vector3
-from yade.superquadric.scene import parallel
 from yade.wrapper import CurvatureMat
+
+from yade.superquadric.scene import parallel
 
 ALONE = 600   # steps that rank 0 does before the scene is cut, so that there are contacts at the borders and walls then
 SIZE = 4.5e-3  # radius of the sphere of a particle's volume [m]

@@ -45,7 +45,8 @@ def study(*groups, title='Synthetic'):
     """(plan, table) of groups as `group` makes them."""
     rows = [row for _, rows in groups for row in rows]
     runs = {row['run']: {'bed': row['bed'], 'parameters': {}} for row in rows}
-    plan = {'title': title, 'experiment': 'impact', 'runs': runs, 'beds': {row['bed']: {'parameters': {}} for row in rows}, 'groups': [plan for plan, _ in groups]}
+    plan = {'title': title, 'experiment': 'impact', 'runs': runs,
+            'beds': {row['bed']: {'parameters': {}} for row in rows}, 'groups': [plan for plan, _ in groups]}
     return plan, pandas.DataFrame(rows, columns=COLUMNS)
 
 

@@ -4,11 +4,12 @@ import os
 import sys
 
 import numpy
-from yade import O, Body, qt, utils
+from yade import Body, O, qt, utils
 from yade.minieigenHP import Quaternion, Vector3
+from yade.wrapper import CurvatureMat, Gl1_HollowCylinder, Gl1_Sphere, Gl1_Superquadric, HollowCylinder
+
 from yade.superquadric import superquadric
 from yade.superquadric.pictures.view import aim, grabImage, openView
-from yade.wrapper import CurvatureMat, Gl1_HollowCylinder, Gl1_Sphere, Gl1_Superquadric, HollowCylinder
 
 SPACING = 2.6
 BODIES = {  # extents [m], n1, n2, orientation; red is a sphere of radius 1, the ruler

@@ -8,7 +8,7 @@ CLOSED = 0.01  # of the work: an account that is off by more is not closed
 STEADY = 0.1   # of the work: what else goes into stored energy, or comes out of it
 
 SOURCES = ('boxDrive', 'gravWork')  # negative of the work that comes from outside
-STATES = ('kinetic', 'elastic', 'boxKinetic', 'boxSpring')  # energy that is there now
+STATES = ('kinetic', 'elastPotential', 'boxKinetic', 'boxSpring')  # energy that is there now
 ERRORS = ('nonconservative',)  # what elastic forces without a potential have taken out, not a sink
 
 

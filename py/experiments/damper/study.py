@@ -28,8 +28,8 @@ MEASURED = {
     'runSeconds': ('wallSeconds',),
     **PROVENANCE,
 }
-SINKS = {'plastic': 'plastic, normal', 'normalViscous': 'viscous, normal', 'tangentialViscous': 'viscous, tangential',
-         'frictionDissip': 'sliding friction', 'rollingViscous': 'viscous, rolling', 'rollingFriction': 'rolling friction', 'rolling': 'rolling'}
+SINKS = {'yieldDissip': 'plastic, normal', 'normDampDissip': 'viscous, normal', 'shearDampDissip': 'viscous, tangential',
+         'plastDissip': 'sliding friction', 'rollingDampDissip': 'viscous, rolling', 'rollingDissip': 'rolling friction'}
 FROZEN = (':', '-.')  # lines of the boxes with particles frozen to them
 HIGHEST = 4    # frequency in the spectra, over the drive's
 
@@ -60,7 +60,7 @@ def _shareOf(sink):
 def _normalViscousLead(summary):
     """How far the normal viscous share is above the largest other one."""
     shares = {**summary['energy']['shares']}
-    own = shares.pop('normalViscous', 0.0)
+    own = shares.pop('normDampDissip', 0.0)
     return own - max(shares.values(), default=0.0)
 
 

@@ -17,7 +17,6 @@ from ...pictures.snapshotrecorder import SnapshotRecorder
 from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
-from ...scene.contactlaws import EFFECTIVE_MASS_ATTRIBUTE
 from ...scene.engines import engine
 from ...scene.settling import RestCriterion, setYoung, settle, stiffen as stiffenBed
 from ...scene.settlingrules import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, rampSteps
@@ -117,7 +116,7 @@ def prepare(run: ImpactRun) -> None:
         bare = bareImpact(p.impactorDiameter, p.impactorDensity, CurvatureMat(**p.attributes()), p.speed, p.dropHeight, p.gravity, p.baseYoung)
         run.state.bare = {'pulse': bare.pulse._asdict(), 'times': bare.times, 'forces': bare.forces}
         law = engine(InteractionLoop).lawDispatcher.functors[0]
-        law.updateAttrs({'overlapLimit': p.overlapLimit, EFFECTIVE_MASS_ATTRIBUTE: p.effectiveMassAtContact})
+        law.updateAttrs({'overlapLimit': p.overlapLimit, 'effectiveMassAtContact': p.effectiveMassAtContact})
         if p.baseYoung is not None:
             setYoung(O.bodies[run.container.baseId], p.baseYoung)
     if p.baseYoung is not None:

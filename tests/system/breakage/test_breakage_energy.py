@@ -117,5 +117,5 @@ def test_withFrictionEnergyOnlyFalls():
     """As bodies rub, the sum of kinetic and stored energy falls; all sinks together keep the account."""
     run = Course('spheres', frictionAngle=0.4)
     assert ((run.course - run.after).max(axis=0) / run.before).max() < LIMITS['rubbing spheres']
-    assert np.median(run.course[-1] / run.after) < 0.95 and run.sinks['frictionDissip'] > 0.01 * run.before.sum()
+    assert np.median(run.course[-1] / run.after) < 0.95 and run.sinks['plastDissip'] > 0.01 * run.before.sum()
     assert abs(run.booked) < BOOKED_FRICTION

@@ -110,7 +110,7 @@ def test_a_loaded_bed_continues_bit_for_bit(uninterrupted, kind):
 
 
 def test_all_sinks_take_energy_in_a_bed(uninterrupted):
-    for name in ('plastic', 'normalViscous', 'tangentialViscous', 'frictionDissip', 'rollingViscous', 'rollingFriction'):
+    for name in ('yieldDissip', 'normDampDissip', 'shearDampDissip', 'plastDissip', 'rollingDampDissip', 'rollingDissip'):
         assert uninterrupted[2][name] > 1e-7, name  # [J]; the bed had some 1e-2 J to lose
 
 
@@ -176,14 +176,14 @@ def test_the_law_follows_from_the_materials():
     O.reset()
     elastic, yields = CurvatureMat(young=1e8, poisson=0.3, density=2500), ElastoplasticMat(**SOFT)
     O.bodies.append(utils.sphere((0, 0, 0), SIZE, material=elastic))
-    expected = {None: 'HertzMindlin', 'curvature': 'HertzMindlin', 'elastoplastic': 'FourPath'}
+    expected = {None: 'HertzMindlin', 'curvature': 'HertzMindlin', 'elastoplastic': 'LoadingUnloading'}
     for law, name in expected.items():
         O.engines = sq.superquadricEngines(law=law)
         assert lawOf(O.engines).endswith(name)
     O.bodies.append(utils.sphere((0, 0, 1), SIZE, material=yields))
     for law in (None, 'elastoplastic'):
         O.engines = sq.superquadricEngines(law=law)
-        assert lawOf(O.engines).endswith('FourPath')
+        assert lawOf(O.engines).endswith('LoadingUnloading')
     with pytest.raises(ValueError, match="law = 'curvature': it knows no yielding, but body 1 .* yieldStress = 100000 Pa"):
         sq.superquadricEngines(law='curvature')
     yields.yieldStress = math.inf

@@ -6,7 +6,7 @@ import pytest
 from yade.wrapper import ElastoplasticMat
 
 import yade.superquadric as sq
-from yade.superquadric.materials import library
+from yade.superquadric.materials.shipped import FOLDER, materialAt
 
 SOFT = dict(young=1e8, poisson=0.3, density=2500, frictionAngle=0.4, normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.02,
             rollingDamping=0.1, yieldStress=1e5, m0=2.5, exponent=1.8)
@@ -15,7 +15,8 @@ HARDENING = dict(referenceRadius=2.5e-3, m0=2.5, m1=0.1, m2=-0.01, exponent=1.8,
 
 @pytest.mark.parametrize('name, value', [
     ('yieldStress', 0.0), ('yieldStress', -1e6), ('yieldStress', math.nan), ('yieldStress', 1e8), ('young', 9e4), ('young', -1.0),
-    ('m0', -5.0), ('m0', math.nan), ('m1', -3.0), ('m2', math.inf), ('exponent', 0.0), ('exponent', 3.0), ('referenceRadius', 0.0), ('smallestRatio', -1.0),
+    ('m0', -5.0), ('m0', math.nan), ('m1', -3.0), ('m2', math.inf), ('exponent', 0.0), ('exponent', 3.0), ('referenceRadius', 0.0),
+    ('smallestRatio', -1.0),
     ('largestRatio', 0.5), ('rollingDamping', -0.1), ('rollingDamping', math.inf), ('frictionAngle', 2.0)])
 def test_refused_values_are_put_back(name, value):
     material = ElastoplasticMat(**SOFT)
@@ -79,9 +80,9 @@ def test_material_from_a_file(tmp_path):
     shipped = sq.elastoplasticMat('steel-4340', frictionAngle=0.3)
     assert (shipped.young, shipped.poisson, shipped.yieldStress) == (200e9, 0.32, 792e6) and shipped.frictionAngle == 0.3
     own = tmp_path / 'own.yaml'
-    own.write_text(open(library.FOLDER + '/steel-4340.yaml').read().replace('200000000000.0', '190000000000.0'))
+    own.write_text(open(FOLDER + '/steel-4340.yaml').read().replace('200000000000.0', '190000000000.0'))
     assert sq.elastoplasticMat(own).young == 190e9
-    assert library.materialAt('material', own) == str(own) and library.materialAt('material', 'steel-4340') == 'steel-4340'
+    assert materialAt('material', own) == str(own) and materialAt('material', 'steel-4340') == 'steel-4340'
 
 
 @pytest.mark.parametrize('value', ('steel.yaml', 3, None))
@@ -91,7 +92,7 @@ def test_no_such_material(value):
 
 
 def test_material_file_that_was_never_identified(tmp_path):
-    lines = open(library.FOLDER + '/steel-4340.yaml').read()
+    lines = open(FOLDER + '/steel-4340.yaml').read()
     (tmp_path / 'raw.yaml').write_text(lines[:lines.index('hardening:')])
     with pytest.raises(ValueError, match='material.hardening: is missing'):
         sq.elastoplasticMat(tmp_path / 'raw.yaml')

@@ -1,8 +1,9 @@
 """Particles as triangles, from Python."""
 import numpy
 import pytest
-from yade.superquadric import tessellation
 from yade.wrapper import Facet, Sphere, Superquadric
+
+from yade.superquadric import tessellation
 
 
 def volume(mesh):

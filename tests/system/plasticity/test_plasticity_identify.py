@@ -4,12 +4,11 @@ import subprocess
 import sys
 
 import pytest
-
-from yade.superquadric.plasticity import cases, fit
-from yade.superquadric.materials import materialfile
-from yade.superquadric.plasticity.identify import Identification
-
 from project import LIMIT, PROJECT
+
+from yade.superquadric.materials import materialfile
+from yade.superquadric.plasticity import cases, fit
+from yade.superquadric.plasticity.identify import Identification
 
 METAL = {'name': 'Metal', 'source': 'made up for tests', 'young': 7e10, 'poisson': 0.33, 'density': 2700.0, 'yieldStress': 3e8,
          'stressStrain': [[0.0, 3e8], [0.01, 3.6e8], [0.5, 6e8]]}

@@ -5,14 +5,13 @@ import subprocess
 import sys
 
 import pytest
+from project import LIMIT, PROJECT
 from yade import O
 from yade.minieigenHP import Quaternion
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
 from yade.superquadric.experiments.impact.parameters import checked, criticalImpactStep
-
-from project import LIMIT, PROJECT
 
 NAN, INF = float('nan'), float('inf')
 
@@ -193,7 +192,8 @@ def test_scriptSaysItAndEndsWithCodeTwo(arguments, message, tmp_path):
 
 
 @pytest.mark.parametrize('arguments, message', [
-    (['--count', '0'], 'count = 0'), (['--steps', '5'], 'every = 10: must not be above steps = 5'), (['--bed', '/dev/null/bed.yade.gz'], '/dev/null')])
+    (['--count', '0'], 'count = 0'), (['--steps', '5'], 'every = 10: must not be above steps = 5'),
+    (['--bed', '/dev/null/bed.yade.gz'], '/dev/null')])
 def test_parallelBedSaysItInOneLine(arguments, message, tmp_path):
     """Before it pours anything."""
     done = runScript('--bed', str(tmp_path / 'bed.yade.gz'), *arguments, script='parallel_bed.py')

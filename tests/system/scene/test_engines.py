@@ -2,9 +2,18 @@
 import pytest
 from yade import O, utils
 from yade.wrapper import (
-    Bo1_Sphere_Aabb, CurvatureMat, ForceResetter, FrictMat, Ig2_Sphere_Sphere_ScGeom, InsertionSortCollider, InteractionLoop,
-    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Ip2_FrictMat_FrictMat_FrictPhys, Law2_ScGeom_CurvaturePhys_HertzMindlin,
-    Law2_ScGeom_FrictPhys_CundallStrack)
+    Bo1_Sphere_Aabb,
+    CurvatureMat,
+    ForceResetter,
+    FrictMat,
+    Ig2_Sphere_Sphere_ScGeom,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_CurvatureMat_CurvatureMat_CurvaturePhys,
+    Ip2_FrictMat_FrictMat_FrictPhys,
+    Law2_ScGeom_CurvaturePhys_HertzMindlin,
+    Law2_ScGeom_FrictPhys_CundallStrack,
+)
 
 import yade.superquadric as sq
 

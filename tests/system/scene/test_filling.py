@@ -8,8 +8,8 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.scene import memory
 from yade.superquadric.experiments.impact.pouring import nextCount
+from yade.superquadric.scene import memory
 
 MATERIAL = dict(young=1e7, poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1,
                 tangentialDamping=0.1, rollingFriction=0.002)

@@ -7,14 +7,12 @@ steps it is below 1e-8 of the largest value; a contact that is missed, forgotten
 import json
 import os
 import subprocess
-from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from project import LIMIT, SUPPORT
 
 from yade.superquadric.scene import parallel
-
-from project import LIMIT, SUPPORT
 
 SCENE, REFUSALS = (SUPPORT / name for name in ('parallelscene.py', 'parallelrefusals.py'))
 STEPS = 400

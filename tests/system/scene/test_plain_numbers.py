@@ -2,9 +2,9 @@
 import random
 
 import pytest
-from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin, Law2_ScGeom_ElastoplasticPhys_FourPath, Superquadric
+from yade.wrapper import CurvatureMat, Law2_ScGeom_CurvaturePhys_HertzMindlin, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading, Superquadric
 
-from yade.superquadric.scene.contactlaws import CONTACT_LAWS, EFFECTIVE_MASS_AT_CONTACT, EFFECTIVE_MASS_ATTRIBUTE, OVERLAP_LIMIT
+from yade.superquadric.scene.contactlaws import CONTACT_LAWS, EFFECTIVE_MASS_AT_CONTACT, OVERLAP_LIMIT
 from yade.superquadric.scene.engines import LAWS
 from yade.superquadric.scene.shapes import ParticleShape, unitVolume
 from yade.superquadric.scene.timestep import rayleighTimeStep
@@ -40,5 +40,5 @@ def test_criticalTimeStepsAreThoseOfThePlugin(seed):
 
 def test_lawsHaveTheDefaultsOfThePlugin():
     assert tuple(LAWS) == CONTACT_LAWS
-    for law in (Law2_ScGeom_CurvaturePhys_HertzMindlin(), Law2_ScGeom_ElastoplasticPhys_FourPath()):
-        assert (law.overlapLimit, getattr(law, EFFECTIVE_MASS_ATTRIBUTE)) == (OVERLAP_LIMIT, EFFECTIVE_MASS_AT_CONTACT)
+    for law in (Law2_ScGeom_CurvaturePhys_HertzMindlin(), Law2_ScGeom_ElastoplasticPhys_LoadingUnloading()):
+        assert (law.overlapLimit, law.effectiveMassAtContact) == (OVERLAP_LIMIT, EFFECTIVE_MASS_AT_CONTACT)

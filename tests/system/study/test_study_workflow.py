@@ -12,11 +12,10 @@ import time
 import pytest
 import yade
 import yaml
+from project import LIMIT, PROJECT, SUPPORT
 
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
-
-from project import LIMIT, PROJECT, SUPPORT
 
 SCRIPT = PROJECT / 'scripts' / 'study.py'
 STUDY = {'title': 'Test', 'seeds': [1, 2], 'groups': {'layers': {
@@ -193,7 +192,7 @@ def test_failedBedAndMoreSeeds(tmp_path):
     assert finished.items() <= study.results().items()
 
 
-SBATCH = '''#!/bin/sh
+SBATCH = """#!/bin/sh
 # A Slurm of one node: the job runs at once, its state is a file.
 for script; do :; done
 echo "$@" >> "$FAKE_ORDERS/sbatch"
@@ -201,10 +200,10 @@ id=$(wc -l < "$FAKE_ORDERS/sbatch")
 echo RUNNING > "$FAKE_ORDERS/state.$id"
 (sh "$script" > /dev/null 2>&1 && echo COMPLETED > "$FAKE_ORDERS/state.$id" || echo FAILED > "$FAKE_ORDERS/state.$id") > /dev/null 2>&1 &
 echo "$id"
-'''
-SQUEUE = '''#!/bin/sh
+"""
+SQUEUE = """#!/bin/sh
 for word; do case $word in --jobs=*) cat "$FAKE_ORDERS/state.${word#--jobs=}" ;; esac; done
-'''
+"""
 
 
 def test_slurmProfile(tmp_path):

@@ -15,9 +15,9 @@ def test_fragmentsFollowTheCutOfTheirExponent():
         assert cutdistribution.agreement(fragments, wrong, parents, 30e-3, samples=200)[1] < 0.01
 
 
-@pytest.mark.parametrize('call, name', [(lambda: singlecrushing.uniformSizes(2, 1, 5, 1), 'low'),
-                                        (lambda: singlecrushing.uniformSizes(1, 2, 0, 1), 'number'), (lambda: singlecrushing.breakEach([1, -1], 2, 1), 'sizes'),
-                                        (lambda: singlecrushing.breakEach([1], 0, 1), 'cutExponent')])
+@pytest.mark.parametrize('call, name', [
+    (lambda: singlecrushing.uniformSizes(2, 1, 5, 1), 'low'), (lambda: singlecrushing.uniformSizes(1, 2, 0, 1), 'number'),
+    (lambda: singlecrushing.breakEach([1, -1], 2, 1), 'sizes'), (lambda: singlecrushing.breakEach([1], 0, 1), 'cutExponent')])
 def test_badInputIsNamed(call, name):
     with pytest.raises(ValueError, match=name):
         call()

@@ -5,11 +5,9 @@ import shutil
 import signal
 import subprocess
 from math import gamma
-from pathlib import Path
 
 import numpy
 import pytest
-
 from project import LIMIT, SUPPORT
 
 COLOURS = {'red': (1, 0, 0), 'green': (0, 1, 0), 'blue': (0, 0, 1), 'yellow': (1, 1, 0), 'magenta': (1, 0, 1), 'cyan': (0, 1, 1)}

@@ -4,18 +4,17 @@ import os
 import numpy as np
 import pytest
 import pyvista
+from vtkscene import last, particleBodies, scene
 from yade import O, utils
 from yade.minieigenHP import Matrix3, Vector3
 from yade.wrapper import CurvatureMat, Facet, HollowCylinder, Sphere, Superquadric, Wall
 
 import yade.superquadric as sq
 from yade.superquadric.measure import bodyarrays
-from yade.superquadric.vtk import polydata, recorder
 from yade.superquadric.measure.scenesnapshot import SceneSnapshot
+from yade.superquadric.vtk import polydata, recorder
 from yade.superquadric.vtk.recorded import RecordedSeries
 from yade.superquadric.vtk.series import Series
-
-from vtkscene import last, particleBodies, scene
 
 SINGLE = 2e-7  # relative error of single precision, with room for one operation
 

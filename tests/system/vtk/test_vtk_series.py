@@ -4,14 +4,13 @@ import time
 
 import pytest
 import pyvista
+from vtkscene import last, particleBodies, scene
 from yade import O
 
 import yade.superquadric as sq
 from yade.superquadric.vtk import recorder
 from yade.superquadric.vtk.recorded import RecordedSeries
 from yade.superquadric.vtk.series import Series
-
-from vtkscene import last, particleBodies, scene
 
 
 def test_loadedSceneGoesOnWithItsSeries(tmp_path):

@@ -20,7 +20,7 @@ def test_oldNamesAreNotOffered():
 
 def test_namesThatAreNone():
     with pytest.raises(AttributeError, match="has no attribute 'superball'"):
-        sq.superball
+        _ = sq.superball
 
 
 def test_plainNamesAreThere():

@@ -3,7 +3,6 @@ import ast
 import re
 
 import pytest
-
 from project import PROJECT
 
 PY, PKG = PROJECT / 'py', PROJECT / 'pkg'

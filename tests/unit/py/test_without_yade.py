@@ -5,26 +5,22 @@ import subprocess
 import sys
 
 import pytest
-
 from project import LIMIT, PROJECT, SUPPORT
 
 # Modules that make or read a scene, and those that need getfem; every other module of py/ is plain Python.
 OF_YADE = {
-    'experiments.damper.parameters', 'experiments.damper.report', 'experiments.damper.run', 'experiments.damper.study',
-    'experiments.impact.impactor', 'experiments.impact.parameters', 'experiments.impact.pictures', 'experiments.impact.pouring',
-    'experiments.impact.report', 'experiments.impact.run', 'experiments.impact.study',
-    'experiments.oedometer.case', 'experiments.oedometer.comparison', 'experiments.oedometer.curves', 'experiments.oedometer.parameters',
-    'experiments.oedometer.record', 'experiments.oedometer.report', 'experiments.oedometer.run', 'experiments.oedometer.study',
+    'experiments.damper.report', 'experiments.damper.run', 'experiments.impact.impactor', 'experiments.impact.pictures', 'experiments.impact.pouring',
+    'experiments.impact.report', 'experiments.impact.run', 'experiments.oedometer.comparison', 'experiments.oedometer.record',
+    'experiments.oedometer.report', 'experiments.oedometer.run',
     'materials.elastoplastic', 'measure.scenearrays', 'mesh.packing', 'mesh.regions', 'mesh.stl', 'pictures.snapshotrecorder',
     'runs.checkpoint', 'runs.finishedbed', 'runs.onbed', 'runs.staged', 'runs.versions',
     'scene.bodies', 'scene.engines', 'scene.filling', 'scene.parallel', 'scene.settling', 'scene.stepping', 'scene.walls',
-    'study.experiments', 'study.page', 'study.plan', 'study.studyfile', 'study.table',
     'validations.cylinderimpact', 'validations.elastoplasticimpact', 'validations.restingcube', 'validations.singlecrushing', 'vtk.recorder'}
 OF_GETFEM = {'plasticity.body', 'plasticity.cases', 'plasticity.identify'}
 PROGRAMS = {'pictures.renderprocess'}  # run as they are imported
 PLAIN_ROOMS = ('statistics', 'files')  # nothing in them may need YADE
 
-IMPORT_EACH = '''
+IMPORT_EACH = """
 import importlib, json, sys
 import plainpackage
 failed = {}
@@ -35,7 +31,7 @@ for name in json.load(sys.stdin):
     except ImportError as error:
         failed[name] = str(error)
 json.dump(failed, sys.stdout)
-'''
+"""
 
 
 def modules():

@@ -53,7 +53,7 @@ def test_energyBalanceCloses(small):
     energy = small[1]['energy']
     assert abs(energy['balanceError']) < 0.01  # particles so soft turn about each other while they touch, which the law books to first order
     assert energy['work'] > 0 and energy['dissipated'] > 0.5 * energy['work'] and sum(energy['shares'].values()) == pytest.approx(1)
-    assert energy['shares']['normalViscous'] > 0.1 and energy['shares']['plastic'] > 0.01 and energy['shares']['boxDashpot'] == 0
+    assert energy['shares']['normDampDissip'] > 0.1 and energy['shares']['yieldDissip'] > 0.01 and energy['shares']['boxDashpot'] == 0
     assert energy['work'] + energy['gravityWork'] == pytest.approx(energy['dissipated'] + energy['stored'] + energy['nonconservative'], rel=0.01)
 
 

@@ -57,8 +57,8 @@ def test_tableHoldsEveryRun(sweep):
         assert float(row['amplitude']) == summary['box']['amplitude'] and float(row['work']) == summary['energy']['work']
         assert float(row['period']) == (summary['box']['period'] or 0)
         if summary['centroid']:
-            others = [share for name, share in summary['energy']['shares'].items() if name != 'normalViscous']
-            assert float(row['normalViscousLead']) == summary['energy']['shares']['normalViscous'] - max(others)
+            others = [share for name, share in summary['energy']['shares'].items() if name != 'normDampDissip']
+            assert float(row['normalViscousLead']) == summary['energy']['shares']['normDampDissip'] - max(others)
             assert float(row['centroidLoopFill']) == summary['centroid']['loopFill']
         else:
             assert row['centroidAmplitude'] == ''

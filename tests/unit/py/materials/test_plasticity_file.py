@@ -3,10 +3,9 @@ import copy
 import os
 
 import pytest
+from project import PROJECT
 
 from yade.superquadric.materials import materialfile
-
-from project import PROJECT
 
 SHIPPED = PROJECT / 'py' / 'materials'
 MATERIAL = {'name': 'Metal', 'source': 'made up for tests', 'young': 7e10, 'poisson': 0.33, 'density': 2700.0, 'yieldStress': 2e8,
@@ -69,7 +68,7 @@ def test_parabola_that_dips_below_zero_between_the_ends_is_refused():
 
 def test_messages_name_the_file(tmp_path):
     path = tmp_path / 'metal.yaml'
-    with pytest.raises(ValueError, match=r"material file = .*metal\.yaml.*: cannot be read \(No such file"):
+    with pytest.raises(ValueError, match=r'material file = .*metal\.yaml.*: cannot be read \(No such file'):
         materialfile.read(path)
     for text, message in (('young: [', 'while parsing'), ('young: 1\nyoung: 2\n', 'young is given twice'),
                           ('name: A\n', r'material\.source: is missing'), ('', r'material = None: must be a mapping')):

@@ -3,8 +3,8 @@ import numpy as np
 import pytest
 
 from yade.superquadric.measure import enclosure
-from yade.superquadric.scene.container import Container
 from yade.superquadric.measure.snapshot import Snapshot
+from yade.superquadric.scene.container import Container
 
 BOX = Container(0, (), None, 0.2, 0.4, 1.0)
 CYLINDER = Container(0, (), 0.1, None, None, 1.0)
@@ -25,7 +25,8 @@ def test_distanceOutside(container, position, outside):
 
 
 def test_describe():
-    """Of size 0.02: one inside that touches, one pressed into the wall by a fifth of its size, one with its centre outside, one outside altogether."""
+    """Of size 0.02: one inside that touches, one pressed into the wall by a fifth of its size, one with its centre outside, one outside
+    altogether."""
     places = ((0.09, 0, 0.1), (0.094, 0, 0.1), (0.103, 0, 0.1), (0, 0, -0.011))
     described = enclosure.describe(snapshot(*places), np.full(4, 0.02), BOX, 0.3)
     assert described == {'centresOutside': 2, 'lost': 1, 'deepest': pytest.approx(1.05)}

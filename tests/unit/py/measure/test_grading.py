@@ -3,6 +3,7 @@ import math
 
 import numpy as np
 import pytest
+
 from yade.superquadric.measure.grading import DECADE_STEP, FINES, GAP_MASS, Grading, einav, fractal, hardin, steepestPart, widestGap
 
 

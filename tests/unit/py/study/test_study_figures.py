@@ -11,17 +11,16 @@ import plainpackage
 import pytest
 import syntheticstudy
 from matplotlib.image import imread
+from project import LIMIT, PROJECT, SUPPORT
 from scipy import stats
 
 from yade.superquadric.experiments.impact.curves import meanCurve, readRecord
+from yade.superquadric.experiments.impact.study import IMPACTS
+from yade.superquadric.experiments.quantities import QUANTITIES, counted
 from yade.superquadric.study.experiments import EXPERIMENTS
 from yade.superquadric.study.figures import _differenceText, checkFigure, drawFigure
 from yade.superquadric.study.groupdata import GroupData
-from yade.superquadric.experiments.impact.study import IMPACTS
 from yade.superquadric.study.page import drawStudy
-from yade.superquadric.experiments.quantities import QUANTITIES, counted
-
-from project import LIMIT, PROJECT, SUPPORT
 
 GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.025]}
 VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}
@@ -48,8 +47,8 @@ def drawn(tmp_path_factory):
 
 
 def draw(folder, expected=0):
-    done = subprocess.run([sys.executable, SUPPORT / 'plainpackage.py', PROJECT / 'scripts' / 'study' / 'draw.py', '--plan', folder / 'plan.json', '--table',
-                           folder / 'results.csv', '--records', folder / 'impacts', '--output', folder / 'figures'],
+    done = subprocess.run([sys.executable, SUPPORT / 'plainpackage.py', PROJECT / 'scripts' / 'study' / 'draw.py', '--plan', folder / 'plan.json',
+                           '--table', folder / 'results.csv', '--records', folder / 'impacts', '--output', folder / 'figures'],
                           capture_output=True, text=True, timeout=LIMIT, env=plainpackage.environment())
     assert done.returncode == expected, done.stderr
     return done

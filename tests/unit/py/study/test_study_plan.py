@@ -5,13 +5,13 @@ import os
 
 import pytest
 import yaml
-
-from yade.superquadric.experiments.impact.parameters import bedPart, checked, defaults
-from yade.superquadric.study import plan as plans, studyfile
-from yade.superquadric.experiments.impact.study import standard
-from yade.superquadric.experiments.quantities import xAxisLabel
-
 from project import PROJECT
+
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
+from yade.superquadric.runs.parameters import BED
+from yade.superquadric.experiments.quantities import xAxisLabel
+from yade.superquadric.study import plan as plans
+from yade.superquadric.study import studyfile
 
 GROUP = {'x': {'thickness': [0.01, 0.02]}, 'series': {'ball': {'shape': 'sphere'}, 'die': {'shape': 'cube'}},
          'figures': {'forces': {'kind': 'curves'}, 'peaks': {'kind': 'trend', 'y': ['peak']}},
@@ -149,10 +149,10 @@ def test_planOfASmallStudy():
         (s, x, seed) for s in ('ball', 'die') for x in (0.01, 0.02) for seed in (1, 2)]
     for point in group['points']:
         run = plan['runs'][point['run']]
-        expected = checked({'containerDiameter': 0.1, 'shape': {'ball': 'sphere', 'die': 'cube'}[point['series']],
-                            'thickness': point['x'], 'seed': point['seed']})
-        assert run['parameters'] == expected
-        assert plan['beds'][run['bed']]['parameters'] == {**defaults(), **bedPart(expected)}
+        expected = ImpactParameters.checked({'containerDiameter': 0.1, 'shape': {'ball': 'sphere', 'die': 'cube'}[point['series']],
+                                             'thickness': point['x'], 'seed': point['seed']})
+        assert run['parameters'] == expected.asDict()
+        assert plan['beds'][run['bed']]['parameters'] == {**ImpactParameters.defaults(), **expected.part(BED)}
     assert json.loads(json.dumps(plan)) == plan
 
 
@@ -171,7 +171,7 @@ def test_impactsShareABed():
     study = changed('groups.layers.x', {'speed': [2, 3, 5]})
     plan = planOf(study, seeds=[7])
     assert len(plan['runs']) == 6 and len(plan['beds']) == 2
-    assert {bed['parameters']['speed'] for bed in plan['beds'].values()} == {defaults()['speed']}
+    assert {bed['parameters']['speed'] for bed in plan['beds'].values()} == {ImpactParameters.defaults()['speed']}
     assert sorted(run['parameters']['speed'] for run in plan['runs'].values()) == [2, 2, 3, 3, 5, 5]
 
 
@@ -186,16 +186,16 @@ def test_impactsShareABed():
     ({'shape': 'cylinder', 'n2': 5}, {'shape': 'cube', 'n2': 5}),
     ({'shape': 'ellipsoid', 'n1': 4, 'n2': 5, 'aspect': 3}, {'shape': 'block', 'n1': 4, 'n2': 5, 'aspect': 3})])
 def test_equalParticlesAreOneBed(one, other):
-    one, other = (standard(checked(values)) for values in (one, other))
+    one, other = (ImpactParameters.checked(values).standard() for values in (one, other))
     assert one == other
-    assert standard(one) == one == checked(one)
+    assert one.standard() == one == ImpactParameters.checked(one.asDict())
 
 
 @pytest.mark.parametrize('one, other', [
     ({'shape': 'sphere'}, {'shape': 'ellipsoid'}),  # YADE's own, and a superquadric
     ({'shape': 'block', 'aspect': 2}, {'shape': 'cylinder', 'aspect': 2}), ({'n1': 4}, {'n2': 4})])
 def test_differentParticlesAreNot(one, other):
-    one, other = (standard(checked(values)) for values in (one, other))
+    one, other = (ImpactParameters.checked(values).standard() for values in (one, other))
     assert one != other
 
 

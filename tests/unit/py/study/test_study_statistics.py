@@ -4,15 +4,13 @@ import math
 
 import numpy
 import pytest
-import syntheticstudy
-from judgedstudy import SEEDS, judged, verdicts
+from judgedstudy import judged, verdicts
 from scipy import stats
 
-from yade.superquadric.statistics import samples as statistics
-from yade.superquadric.study.findings import checkFinding, judge
-from yade.superquadric.study.groupdata import GroupData
 from yade.superquadric.experiments.impact.study import IMPACTS
+from yade.superquadric.statistics import samples as statistics
 from yade.superquadric.statistics.saturation import fitSaturation
+from yade.superquadric.study.findings import checkFinding
 
 GROUP = {'experiment': IMPACTS, 'series': ['sphere', 'cube'], 'xName': 'thickness', 'values': [0.008, 0.015, 0.025, 0.045]}
 VARIANTS = {'experiment': IMPACTS, 'series': [''], 'xName': 'variant', 'values': ['as it is', 'softer']}

@@ -10,7 +10,8 @@ PERMILLE = 1.95  # P(sqrt(n) D > 1.95) = 0.1 % (Kolmogorov), of independent valu
 @pytest.mark.parametrize('exponent', [1, 2, 3])
 def test_exactDistributionIsThatOfAMillionDraws(exponent):
     number = 10 ** 6
-    one = cutdistribution.draw(np.random.default_rng(exponent), exponent, number)[np.arange(number), np.arange(number) % 8]  # one of each parent: independent
+    fragments = cutdistribution.draw(np.random.default_rng(exponent), exponent, number)
+    one = fragments[np.arange(number), np.arange(number) % 8]  # of each parent: independent
     assert cutdistribution.distance(one, cutdistribution.CutDistribution(exponent)) < PERMILLE / np.sqrt(number)
 
 

@@ -62,13 +62,13 @@ def test_phasePlaneOfASineFillsPiQuartersOfItsRectangleOneOfImpactsAllOfIt():
 
 
 def test_accountTakesWhateverSinksThereAre():
-    before = {'boxDrive': -1.0, 'gravWork': 0.5, 'kinetic': 0.1, 'elastic': 0.0, 'boxKinetic': 0.1, 'boxSpring': 0.3, 'plastic': 0.0,
+    before = {'boxDrive': -1.0, 'gravWork': 0.5, 'kinetic': 0.1, 'elastPotential': 0.0, 'boxKinetic': 0.1, 'boxSpring': 0.3, 'yieldDissip': 0.0,
               'nonconservative': 0.0}
-    after = {'boxDrive': -3.0, 'gravWork': 0.4, 'kinetic': 0.2, 'elastic': 0.1, 'boxKinetic': 0.0, 'boxSpring': 0.4, 'plastic': 1.0,
-             'nonconservative': 0.02, 'rollingViscous': 0.5}  # the last came up later
+    after = {'boxDrive': -3.0, 'gravWork': 0.4, 'kinetic': 0.2, 'elastPotential': 0.1, 'boxKinetic': 0.0, 'boxSpring': 0.4, 'yieldDissip': 1.0,
+             'nonconservative': 0.02, 'rollingDampDissip': 0.5}  # the last came up later
     energy = damperenergy.account(before, after)
     assert energy['work'] == pytest.approx(2) and energy['gravityWork'] == pytest.approx(0.1)
-    assert energy['sinks'] == pytest.approx({'plastic': 1.0, 'rollingViscous': 0.5})
-    assert energy['shares'] == pytest.approx({'plastic': 2 / 3, 'rollingViscous': 1 / 3})
+    assert energy['sinks'] == pytest.approx({'yieldDissip': 1.0, 'rollingDampDissip': 0.5})
+    assert energy['shares'] == pytest.approx({'yieldDissip': 2 / 3, 'rollingDampDissip': 1 / 3})
     assert energy['stored'] == pytest.approx(0.2)
     assert energy['balanceError'] == pytest.approx((1.5 + 0.2 + 0.02 - 2.1) / 2)

@@ -9,13 +9,13 @@
 
 namespace yade {
 
-class Law2_ScGeom_ElastoplasticPhys_FourPath : public CurvatureLaw {
+class Law2_ScGeom_ElastoplasticPhys_LoadingUnloading : public CurvatureLaw {
 public:
-	~Law2_ScGeom_ElastoplasticPhys_FourPath() override = default;
+	~Law2_ScGeom_ElastoplasticPhys_LoadingUnloading() override = default;
 	FUNCTOR2D(ScGeom, ElastoplasticPhys);
 
 	// Called by YADE after the attributes were set or loaded.
-	void postLoad(Law2_ScGeom_ElastoplasticPhys_FourPath&) { checkOverlapLimit(overlapLimit); }
+	void postLoad(Law2_ScGeom_ElastoplasticPhys_LoadingUnloading&) { checkOverlapLimit(overlapLimit); }
 
 protected:
 	Load respond(CurvaturePhys& phys, const ContactKinematics& bodies) override;
@@ -42,11 +42,11 @@ private:
 	void bookEnergy(const ElastoplasticPhys& before, const ContactKinematics& bodies, const Response& now);
 	Real modelError(const ElastoplasticPhys& before, const ContactKinematics& bodies, const superquadric::elastoplastic::State& now) const;
 
-	EnergyEntries energies { { "elastic", "plastic", "normalViscous", "tangentialViscous", "frictionDissip", "rollingViscous", "rollingFriction",
+	EnergyEntries energies { { "elastPotential", "yieldDissip", "normDampDissip", "shearDampDissip", "plastDissip", "rollingDampDissip", "rollingDissip",
 		"nonconservative" } };
 
 	// clang-format off
-	YADE_CLASS_BASE_DOC_ATTRS_CTOR(Law2_ScGeom_ElastoplasticPhys_FourPath, LawFunctor,
+	YADE_CLASS_BASE_DOC_ATTRS_DEPREC_INIT_CTOR_PY(Law2_ScGeom_ElastoplasticPhys_LoadingUnloading, LawFunctor,
 		"Contact law for spheres and superquadrics that yield, after Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 2018. All forces "
 			"are those on body 2.\n\n"
 		"* Normal force on four paths: elastic loading (Hertz), plastic loading, elastic unloading and reloading, further plastic loading. Until the "
@@ -60,20 +60,22 @@ private:
 		"* Rolling: type C of Ai, Chen, Rotter & Ooi (2011), a spring of $k_r=2.25k_n(\\mu_r R)^2$ that slips at the couple $\\mu_r R f_n$, "
 			"$1/R=1/R_1+1/R_2$, and a dashpot of rollingDamping $\\times 2\\sqrt{I_r k_r}$ that acts while it does not, with the "
 		"inertia $I_r$ about the contact. Against the whole relative rotation, twisting included.\n\n"
-		"With O.trackEnergy, O.energy has 'elastic' (stored now in all three springs) and the sums 'plastic', 'normalViscous', 'tangentialViscous', "
-			"'frictionDissip', 'rollingViscous', 'rollingFriction'. What the tangential and the rolling "
+		"With O.trackEnergy, O.energy has 'elastPotential' (stored now in all three springs) and the sums 'yieldDissip', 'normDampDissip', 'shearDampDissip', "
+			"'plastDissip', 'rollingDampDissip', 'rollingDissip'. What the tangential and the rolling "
 		"spring lose when their stiffness changes, never negative, counts as micro-slip with their friction. 'nonconservative' is what the normal "
 			"force takes out (negative: puts in) because it has no potential: until the contact yields it "
 		"follows the radius of curvature, and a rolling or sliding contact point changes the overlap a little other than the approach does. Kinetic "
 			"energy plus all of these is constant up to the error of the time integration.",
-		((Real, overlapLimit, 0.1, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 "
+		((Real, overlapLimit, superquadric::hertzMindlin::defaultOverlapLimit, Attr::triggerPostLoad, "Largest overlap the model is meant for, as a part of the smallest half size; between 0 "
 			"and 1 [-]. It bounds the radius of curvature, see :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
-		((bool, leverArms, true, , "Whether $m^*$ of the normal damping counts that an off-centre push also turns the bodies, see "
+		((bool, effectiveMassAtContact, true, , "Whether $m^*$ of the normal damping counts that an off-centre push also turns the bodies, see "
 			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`."))
-		, postLoad(*this);
+		, ((leverArms, effectiveMassAtContact, "renamed in 0.2"))
+		, , postLoad(*this);,
+			; thisScope.attr("Law2_ScGeom_ElastoplasticPhys_FourPath") = _classObj; // its name until 0.1
 	);
 	// clang-format on
 };
-REGISTER_SERIALIZABLE(Law2_ScGeom_ElastoplasticPhys_FourPath);
+REGISTER_SERIALIZABLE(Law2_ScGeom_ElastoplasticPhys_LoadingUnloading);
 
 } // namespace yade

@@ -1,19 +1,19 @@
-#include "Law2_ScGeom_ElastoplasticPhys_FourPath.hpp"
+#include "Law2_ScGeom_ElastoplasticPhys_LoadingUnloading.hpp"
 
 #include <core/Scene.hpp>
 #include <pkg/mechanics/CoulombLimit.hpp>
 
 namespace yade {
 
-YADE_PLUGIN((Law2_ScGeom_ElastoplasticPhys_FourPath));
+YADE_PLUGIN((Law2_ScGeom_ElastoplasticPhys_LoadingUnloading));
 
 namespace ep = superquadric::elastoplastic;
 
-CurvatureLaw::Load Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys& curvaturePhys, const ContactKinematics& bodies)
+CurvatureLaw::Load Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::respond(CurvaturePhys& curvaturePhys, const ContactKinematics& bodies)
 {
 	auto& phys = static_cast<ElastoplasticPhys&>(curvaturePhys);
 	const Vector3r& normal = bodies.geom.normal;
-	setMasses(phys, bodies, bodies.radii(overlapLimit), leverArms);
+	setMasses(phys, bodies, bodies.radii(overlapLimit), effectiveMassAtContact);
 	phys.hertzStiffness = superquadric::hertzMindlin::Pair { phys.effectiveModulus, phys.effectiveRadius, phys.normalMass }.hertz();
 
 	const Response now = response(phys, bodies);
@@ -39,8 +39,8 @@ CurvatureLaw::Load Law2_ScGeom_ElastoplasticPhys_FourPath::respond(CurvaturePhys
 	return { phys.normalForce + phys.shearForce, phys.rollingCouple };
 }
 
-Law2_ScGeom_ElastoplasticPhys_FourPath::Response
-Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, const ContactKinematics& bodies) const
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::Response
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::response(const ElastoplasticPhys& phys, const ContactKinematics& bodies) const
 {
 	Response now;
 	const ep::Pair pair { phys.plasticity(), phys.effectiveModulus, phys.effectiveRadius };
@@ -51,8 +51,8 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::response(const ElastoplasticPhys& phys, 
 	return now;
 }
 
-Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot
-Law2_ScGeom_ElastoplasticPhys_FourPath::tangential(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const ep::State& normal) const
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::SpringAndDashpot
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::tangential(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const ep::State& normal) const
 {
 	const Real stiffness = normal.unloadingStiffness / phys.stiffnessRatio, limit = phys.tangensOfFrictionAngle * normal.force;
 	SpringAndDashpot now;
@@ -62,8 +62,8 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::tangential(const ElastoplasticPhys& phys
 	return now;
 }
 
-Law2_ScGeom_ElastoplasticPhys_FourPath::SpringAndDashpot
-Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const ep::State& normal) const
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::SpringAndDashpot
+Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::rolling(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const ep::State& normal) const
 {
 	const Real stiffness = superquadric::rollingStiffness(normal.unloadingStiffness, phys.rollingFriction, phys.effectiveRadius);
 	const Real limit = phys.rollingFriction * phys.effectiveRadius * normal.force;
@@ -81,7 +81,7 @@ Law2_ScGeom_ElastoplasticPhys_FourPath::rolling(const ElastoplasticPhys& phys, c
 
 // The work of the viscous forces is that of the leap-frog integrator: of the mean of the vectors before, which had the last normal, and after,
 // on the velocity between. The springs and the plastic part know what becomes of theirs.
-void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys& before, const ContactKinematics& bodies, const Response& now)
+void Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::bookEnergy(const ElastoplasticPhys& before, const ContactKinematics& bodies, const Response& now)
 {
 	energies.find(*scene);
 	const auto book = [&](Energy energy, Real value) { energies.add(*scene, energy, bodies.share * value); };
@@ -98,7 +98,7 @@ void Law2_ScGeom_ElastoplasticPhys_FourPath::bookEnergy(const ElastoplasticPhys&
 
 // What the normal force takes out because its radius has changed, and because the bodies' approach misses the growth of the overlap, which
 // moves with the contact point along the surfaces.
-Real Law2_ScGeom_ElastoplasticPhys_FourPath::modelError(const ElastoplasticPhys& before, const ContactKinematics& bodies, const ep::State& now) const
+Real Law2_ScGeom_ElastoplasticPhys_LoadingUnloading::modelError(const ElastoplasticPhys& before, const ContactKinematics& bodies, const ep::State& now) const
 {
 	const Real overlap = bodies.overlap;
 	if (!(before.overlap > 0 && overlap > 0)) return 0;
