@@ -8,8 +8,8 @@ from collections import namedtuple
 
 import numpy
 
-Grading = namedtuple('Grading', 'first ratio outerRatio fineRadius sectors')
-Grading.__doc__ = """Sizes of elements.
+ElementSizes = namedtuple('ElementSizes', 'first ratio outerRatio fineRadius sectors')
+ElementSizes.__doc__ = """Sizes of elements.
 
 first: r of the innermost ring [m]; ratio, outerRatio: each ring's width over its r, within and beyond `fineRadius` [m]; sectors:
 number of elements from the axis to the surface.
@@ -19,18 +19,18 @@ REACH = 0.95        # of a sphere's radius, that a body extends to on its surfac
 PLATE_REACH = 2.0   # of the sphere's radius
 
 
-def grading(smallest, largest, fineness=1.0):
-    """Grading for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
-    return Grading(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
+def elementSizes(smallest, largest, fineness=1.0):
+    """ElementSizes for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
+    return ElementSizes(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
                    sectors=max(4, round(24 * fineness)))
 
 
-def surfaceRadii(grading, reaches):
+def surfaceRadii(elementSizes, reaches):
     """{reach: r of the rings [m], from the first to the reach}; what lies within the smallest reach is shared. Reaches differ by more than a ring."""
-    radii, result = [grading.first], {}
+    radii, result = [elementSizes.first], {}
     for reach in sorted(reaches):
-        while radii[-1] < reach * (1 - grading.outerRatio / 2):
-            radii.append(radii[-1] * (1 + (grading.ratio if radii[-1] < grading.fineRadius else grading.outerRatio)))
+        while radii[-1] < reach * (1 - elementSizes.outerRatio / 2):
+            radii.append(radii[-1] * (1 + (elementSizes.ratio if radii[-1] < elementSizes.fineRadius else elementSizes.outerRatio)))
         radii[-1] = reach
         result[reach] = numpy.array(radii)
     return result
