@@ -29,7 +29,7 @@ UNLOADED = 0.87         # of the way back to the residual overlap, as Hertz's la
 class Settings(NamedTuple):
     """How finely and how far.
 
-    fineness: of the mesh, see mesh.grading; steps: loads from FIRST_LOAD to the largest; unloadSteps: of each unloading; largest: sqrt(R d)/R of
+    fineness: of the mesh, see mesh.elementSizes; steps: loads from FIRST_LOAD to the largest; unloadSteps: of each unloading; largest: sqrt(R d)/R of
     the largest load, where small strain and flat contact end (0.15: the disc's edge is inclined by about 0.2, strains reach 0.05); convergence:
     the finenesses that are compared.
     """
@@ -78,9 +78,9 @@ class Case:
     def _contact(self, radii: tuple[float, float], law: Material, young: float, poisson: float, fineness: float) -> Contact:
         different = sorted(set(radii))
         reach = {radius: mesh.PLATE_REACH * different[0] if numpy.isinf(radius) else mesh.REACH * radius for radius in different}
-        grading = mesh.grading(FIRST_LOAD * self.yieldPoint.contactRadius, self.largest, fineness)
-        surfaces = mesh.surfaceRadii(grading, reach.values())
-        bodies = [Body(radius, surfaces[reach[radius]], grading.sectors, law) for radius in different]
+        elementSizes = mesh.elementSizes(FIRST_LOAD * self.yieldPoint.contactRadius, self.largest, fineness)
+        surfaces = mesh.surfaceRadii(elementSizes, reach.values())
+        bodies = [Body(radius, surfaces[reach[radius]], elementSizes.sectors, law) for radius in different]
         return Contact(bodies, LARGEST_GROWTH * self.largest, young, poisson)
 
     def approaches(self, steps: int) -> Floats:

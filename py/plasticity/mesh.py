@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from ..typealiases import Floats
 
 
-class Grading(NamedTuple):
+class ElementSizes(NamedTuple):
     """Sizes of elements.
 
     first: r of the innermost ring [m]; ratio, outerRatio: each ring's width over its r, within and beyond `fineRadius` [m]; sectors:
@@ -33,18 +33,18 @@ REACH = 0.95        # of a sphere's radius, that a body extends to on its surfac
 PLATE_REACH = 2.0   # of the sphere's radius
 
 
-def grading(smallest: float, largest: float, fineness: float = 1.0) -> Grading:
-    """Grading for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
-    return Grading(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
-                   sectors=max(4, round(24 * fineness)))
+def elementSizes(smallest: float, largest: float, fineness: float = 1.0) -> ElementSizes:
+    """Sizes for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
+    return ElementSizes(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
+                        sectors=max(4, round(24 * fineness)))
 
 
-def surfaceRadii(grading: Grading, reaches: Iterable[float]) -> dict[float, Floats]:
+def surfaceRadii(elementSizes: ElementSizes, reaches: Iterable[float]) -> dict[float, Floats]:
     """{reach: r of the rings [m], from the first to the reach}; what lies within the smallest reach is shared. Reaches differ by more than a ring."""
-    radii, result = [grading.first], {}
+    radii, result = [elementSizes.first], {}
     for reach in sorted(reaches):
-        while radii[-1] < reach * (1 - grading.outerRatio / 2):
-            radii.append(radii[-1] * (1 + (grading.ratio if radii[-1] < grading.fineRadius else grading.outerRatio)))
+        while radii[-1] < reach * (1 - elementSizes.outerRatio / 2):
+            radii.append(radii[-1] * (1 + (elementSizes.ratio if radii[-1] < elementSizes.fineRadius else elementSizes.outerRatio)))
         radii[-1] = reach
         result[reach] = numpy.array(radii)
     return result
