@@ -10,7 +10,7 @@ from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
 from yade.superquadric.mesh import regions
-from yade.superquadric.measure.bed import particleVolumes
+from yade.superquadric.measure.bed import particleVolumes, voxelGrid
 from yade.superquadric.measure.snapshot import gauge
 
 RADIUS, HEIGHT, SIZE = 0.05, 0.06, 5e-3
@@ -128,7 +128,7 @@ def test_voxelsOfMeasureBed(bed):
     """The share of solid voxels, which measureBed counts in the inner part of a bed, is within the resolution of what clipping gives."""
     apart = sq.Snapshot(**{name: getattr(bed, name)[alone(bed)] for name in sq.Snapshot.ARRAYS})
     container = sq.Container(0, (), RADIUS, None, None, 0.1)
-    filled, (x, y, z) = sq.bedgeometry.voxelGrid(apart, container, SIZE / 10)
+    filled, (x, y, z) = voxelGrid(apart, container, SIZE / 10)
     disc = np.hypot(*np.meshgrid(x, y, indexing='ij')) <= 0.03
     layers = (z > 0.01) & (z < 0.05)
     counted = filled[disc][:, layers].mean()
