@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo study study-quick test fuzz sanitize tidy bench bench-quick bench-scaling docs deb deb-test build shell clean
+.PHONY: help demo study study-quick test test-yades fuzz sanitize tidy bench bench-quick bench-scaling docs deb deb-test build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -8,7 +8,7 @@ help:
 	@echo 'make demo    a bed of cubes cushions a blow: results and pictures in demo/'
 	@echo 'make study   the 44 beds of the paper, several of each, with confidence intervals: results/study (hours; goes on where it was stopped)'
 	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (12 minutes on 2 cores)'
-	@echo 'make test    all tests; the last line counts them'
+	@echo 'make test    all tests; the last line counts them (make test-yades: on YADE 2025.2.0 and on 2026.1.0, twice the time)'
 	@echo 'make fuzz    many more examples of the fuzz tests: FUZZ_EXAMPLES=2000 for each (20 minutes)'
 	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour; make tidy: clang-tidy (see docs/testing.md)'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
@@ -36,6 +36,11 @@ study-quick:
 test:
 	@tools/env --with study --with fem --with view --target all true || { echo '0 passed, 1 failed'; exit 1; }
 	@tools/env --with study --with fem --with view tests/run
+
+# On every YADE that the plugin is for, each that of a release of Debian: natively where this system is that release, else in a folder.
+test-yades:
+	@failed=; for suite in trixie forky; do echo "YADE of Debian $$suite"; YADE_SUITE=$$suite $(MAKE) --no-print-directory test || failed="$$failed $$suite"; done; \
+	  [ -z "$$failed" ] || { echo "failed on$$failed"; exit 1; }
 
 fuzz: export FUZZ_EXAMPLES ?= 2000
 fuzz: export TEST_TIME_LIMIT = 86400
