@@ -46,7 +46,9 @@ def test_debianOfAnotherSuite():
 
 @pytest.mark.parametrize('targets, distributions', [(UBUNTU, 'ubuntu debian'), (MINT, 'linuxmint ubuntu debian')])
 def test_ubuntuTakesDebiansPublicArchive(targets, distributions):
-    assert lines(targets, distributions, 'noble', 'deb', 'trixie') == ['deb [debian] http://deb.debian.org/debian trixie main']
+    assert lines(targets, distributions, 'noble', 'deb', 'trixie') == [
+        'deb [debian] http://deb.debian.org/debian trixie main', 'deb [debian] http://deb.debian.org/debian trixie-updates main',
+        'deb [debian] http://deb.debian.org/debian-security trixie-security main']
 
 
 def test_ubuntuThatKnowsADebianArchiveTakesThat():

@@ -72,7 +72,7 @@ own_lines() {
 debian_lines() {
   local type=$1 suite=$2 known uri release codename component signedBy
   known=$(repositories debian)
-  [ -n "$known" ] || known="http://deb.debian.org/debian stable stable main -"
+  [ -n "$known" ] || known=$(printf 'http://deb.debian.org/%s stable stable%s main -\n' debian '' debian -updates debian-security -security)
   while read -r uri _ codename component signedBy; do
     case $codename in
       *-*) release=$suite-${codename#*-} ;;
