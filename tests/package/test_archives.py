@@ -16,8 +16,8 @@ UBUNTU = ['Ubuntu|http://u.example/ubuntu/|resolute|resolute|main|/u.gpg', 'Ubun
 MINT = ['linuxmint|http://m.example/|zena|zena|main|$(SIGNED_BY)', *UBUNTU]
 
 
-def lines(targets, distributions, machine, type_, suite, **variables):
-    """The sources.list that a machine with these index targets gets for a suite, without the keyrings (which differ from machine to machine)."""
+def lines(targets, distributions, call, **variables):
+    """What a function of tools/setup/archive.sh says on a machine with these index targets, without the keyrings (which differ between machines)."""
     script = f"""
 set -Eeuo pipefail
 . tools/setup/common.sh
@@ -27,10 +27,9 @@ apt-get() {{ cat <<'TARGETS'
 TARGETS
 }}
 distributions() {{ echo '{distributions}'; }}
-machine_suite() {{ echo {machine}; }}
 keyring() {{ echo "[$2]"; }}
 aptOptions=()
-source_lines {type_} {suite}
+{call}
 """
     result = subprocess.run(['bash'], input=script, cwd=project, capture_output=True, text=True, check=True,
                             env={'HOME': '/nowhere', 'PATH': '/usr/bin:/bin', **variables})
@@ -39,31 +38,29 @@ source_lines {type_} {suite}
 
 def test_debianOfAnotherSuite():
     """The machine's own archives with the other name; neither backports nor what is not Debian's."""
-    assert lines(DEBIAN, 'debian ', 'bookworm', 'deb', 'trixie') == [
+    assert lines(DEBIAN, 'debian ', 'debian_lines trixie') == [
         'deb [debian] http://a.example/debian/ trixie main', 'deb [debian] http://a.example/debian/ trixie-updates main',
         'deb [debian] http://a.example/security/ trixie-security main']
 
 
 @pytest.mark.parametrize('targets, distributions', [(UBUNTU, 'ubuntu debian'), (MINT, 'linuxmint ubuntu debian')])
-def test_ubuntuTakesDebiansPublicArchive(targets, distributions):
-    assert lines(targets, distributions, 'noble', 'deb', 'trixie') == [
-        'deb [debian] http://deb.debian.org/debian trixie main', 'deb [debian] http://deb.debian.org/debian trixie-updates main',
-        'deb [debian] http://deb.debian.org/debian-security trixie-security main']
+def test_ubuntusArchiveIsNotTakenForDebians(targets, distributions):
+    """It has no trixie. Without a line mmdebstrap takes Debian's public archive."""
+    assert lines(targets, distributions, 'debian_lines trixie') == []
 
 
 def test_ubuntuThatKnowsADebianArchiveTakesThat():
-    assert lines([*UBUNTU, DEBIAN[0]], 'ubuntu debian', 'noble', 'deb-src', 'trixie') == ['deb-src [debian] http://a.example/debian/ trixie main']
+    assert lines([*UBUNTU, DEBIAN[0]], 'ubuntu debian', 'debian_lines trixie') == ['deb [debian] http://a.example/debian/ trixie main']
 
 
-def test_theMachinesOwnSuite():
-    """The sources of a YADE that the machine has itself come from where its packages come from, unchanged."""
-    assert lines(UBUNTU, 'ubuntu debian', 'resolute', 'deb-src', 'resolute') == [
+def test_theMachinesOwnYade():
+    """Its sources come from where its packages come from."""
+    assert lines(UBUNTU, 'ubuntu debian', 'own_sources') == [
         'deb-src [ubuntu] http://u.example/ubuntu/ resolute main', 'deb-src [ubuntu] http://u.example/ubuntu/ resolute universe']
 
 
 def test_aFileOfTheUsers(tmp_path):
     file = tmp_path / 'debian.list'
     file.write_text('# Debian\ndeb [signed-by=/k.gpg] http://c.example/debian trixie main\n', encoding='utf-8')
-    for type_ in ('deb', 'deb-src'):
-        assert lines(UBUNTU, 'ubuntu debian', 'noble', type_, 'trixie', YADE_APT_SOURCES=str(file)) == [
-            f'{type_} [signed-by=/k.gpg] http://c.example/debian trixie main']
+    assert lines(UBUNTU, 'ubuntu debian', 'debian_lines trixie', YADE_APT_SOURCES=str(file)) == [
+        'deb [signed-by=/k.gpg] http://c.example/debian trixie main']

@@ -9,5 +9,6 @@ own_ready() {
   # The program has its version, its features and its place written in it.
   environment="own-$YADE_EXECUTABLE-$(short_hash <"$YADE_EXECUTABLE")"
   yadeVersion=
+  headers=$YADE_SOURCE
   enter=()
 }
