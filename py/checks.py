@@ -108,12 +108,21 @@ def oneOf(name: str, value: Any, choices: Collection[Any]) -> Any:
 
 def vector(name: str, value: Any, check: Callable[[str, Any], float] = finite) -> tuple[float, float, float]:
     """Three numbers as a tuple of floats, each accepted by `check`."""
+    return _numbers(name, value, 3, 'three', check)
+
+
+def pair(name, value):
+    """Two finite numbers as a tuple of floats."""
+    return _numbers(name, value, 2, 'two', finite)
+
+
+def _numbers(name, value, count, word, check):
     try:
         numbers = () if isinstance(value, (str, bytes, Set, Mapping)) else tuple(value)
     except TypeError:
         numbers = ()
-    if len(numbers) != 3:
-        raise ValueError(f'{name} = {value!r}: three numbers are needed')
+    if len(numbers) != count:
+        raise ValueError(f'{name} = {value!r}: {word} numbers are needed')
     return tuple(check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
 
 
