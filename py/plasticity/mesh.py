@@ -22,7 +22,7 @@ PLATE_REACH = 2.0   # of the sphere's radius
 def elementSizes(smallest, largest, fineness=1.0):
     """ElementSizes for half-widths between `smallest` and `largest` [m]; the 24 sectors times `fineness`, and rings in proportion."""
     return ElementSizes(first=0.15 * smallest, ratio=0.045 / fineness, outerRatio=0.16 / fineness, fineRadius=2.5 * largest,
-                   sectors=max(4, round(24 * fineness)))
+                        sectors=max(4, round(24 * fineness)))
 
 
 def surfaceRadii(elementSizes, reaches):
