@@ -16,7 +16,6 @@ import yade.superquadric as sq
 from yade.superquadric.runs import checkpoint, finishedbed
 from yade.superquadric.experiments.oedometer import case as oedometercase
 from yade.superquadric.files import results, sealed
-from yade.superquadric.experiments.impact.parameters import bedPart
 from yade.superquadric.study import plan as plans, studyfile, table
 
 from damage import copyWith, damage, damaged
@@ -63,7 +62,7 @@ def stillMine():
 def test_beds(place, name, how):
     isOther = copyWith(WHOLE['bed'], place, name, how)
     marked()
-    answer, no = refused(lambda: (finishedbed.read(place, bedPart), finishedbed.load(place)), place)
+    answer, no = refused(lambda: (finishedbed.read(place), finishedbed.load(place)), place)
     if no:
         assert isinstance(answer, ValueError) and stillMine() and isOther
     else:

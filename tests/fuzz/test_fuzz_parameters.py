@@ -8,9 +8,9 @@ import tempfile
 import yaml
 from hypothesis import strategies as st
 
-from yade.superquadric.experiments.damper import parameters as damperparameters
-from yade.superquadric.experiments.oedometer import parameters as oedometerparameters
-from yade.superquadric.experiments.impact import parameters
+from yade.superquadric.experiments.damper.parameters import DamperParameters
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
+from yade.superquadric.experiments.oedometer.parameters import OedometerParameters
 from yade.superquadric.files import results, yamlfile
 from yade.superquadric.materials.shipped import FOLDER
 from yade.superquadric.runs.parameters import fromFile
@@ -21,34 +21,34 @@ from fuzzing import anything, fuzz, number, refused
 
 from project import PROJECT
 
-LISTS = {'impact': parameters, 'damper': damperparameters, 'oedometer': oedometerparameters}
+KINDS = {'impact': ImpactParameters, 'damper': DamperParameters, 'oedometer': OedometerParameters}
 plain = st.recursive(st.one_of(st.none(), st.booleans(), number, st.integers(), st.text(max_size=5),
                                st.sampled_from(('cube', 'sphere', 'peak', 'falls', 'trend'))),
                      lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=4), inner, max_size=3)), max_leaves=5)
 
 
 def name(which):
-    return st.sampled_from([parameter.name for parameter in LISTS[which].PARAMETERS])
+    return st.sampled_from([*KINDS[which].declarations(), *KINDS[which].RENAMED])
 
 
-values = st.sampled_from(tuple(LISTS)).flatmap(
+values = st.sampled_from(tuple(KINDS)).flatmap(
     lambda which: st.tuples(st.just(which), st.dictionaries(name(which), st.one_of(anything, number), max_size=3)))
 
 
 @fuzz(weight=10, which=values)
 def test_parameters(which):
     """Accepted ones are numbers, stay as they are when they are checked again, and survive JSON; from a command line they are texts."""
-    kind, given = which
-    module = LISTS[kind]
-    result, no = refused(lambda: module.checked(given))
+    kind, given = KINDS[which[0]], which[1]
+    parameters, no = refused(lambda: kind.checked(given))
     if no:
-        assert isinstance(result, ValueError), f'{result!r}: the user is told nothing'
+        assert isinstance(parameters, ValueError), f'{parameters!r}: the user is told nothing'
         return
-    assert set(result) == set(module.defaults())
+    result = parameters.asDict()
+    assert set(result) == set(kind.defaults())
     assert all(math.isfinite(value) for value in result.values() if isinstance(value, float))
-    assert module.checked(result) == result == json.loads(json.dumps(result))
+    assert kind.checked(result) == kind.read(result) == parameters and result == json.loads(json.dumps(result))
     texts = {key: str(value) for key, value in result.items() if value is not None}
-    assert module.checked(texts) == result
+    assert kind.checked(texts) == parameters
 
 
 @fuzz(weight=2, text=st.one_of(st.binary(max_size=60), plain.map(lambda value: json.dumps(value).encode()),

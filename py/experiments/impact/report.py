@@ -46,7 +46,8 @@ def summary(run: ImpactRun) -> dict[str, Any]:
         'particle': {'number': len(run.ids), 'extents': list(shape.extents), 'n1': shape.n1, 'n2': shape.n2,
                      'yadeSphere': shape.asSphere, 'volume': shape.volume, 'mass': shape.volume * p.density},
         'bed': {**state.bed, 'pours': state.pours, 'staticForce': state.staticForce, 'staticWallForce': state.staticWallForce,
-                'weight': sum(O.bodies[i].state.mass for i in run.ids) * p.gravity, 'atRest': state.settled, 'wallSeconds': state.bedSeconds},
+                'weight': sum(O.bodies[i].state.mass for i in run.ids) * p.gravity, 'atRest': state.settled,
+                **({'wallSeconds': state.bedSeconds} if state.has('bedSeconds') else {})},  # of a bed that was made by itself
         'impactor': {'mass': O.bodies[state.impactor].state.mass, 'surfaceSpeed': surfaceSpeed(p.speed, p.dropHeight, p.gravity)},
         'impact': {**state.pulse, 'over': state.impactOver},
         'bare': bare,

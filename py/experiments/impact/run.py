@@ -110,7 +110,6 @@ def measure(run: ImpactRun) -> None:
 
 def prepare(run: ImpactRun) -> None:
     """The bed gets what is special in this impact."""
-    run.bedIsDone()
     p = run.parameters
     if not run.state.has('bare'):
         bare = bareImpact(p.impactorDiameter, p.impactorDensity, CurvatureMat(**p.attributes()), p.speed, p.dropHeight, p.gravity, p.baseYoung)

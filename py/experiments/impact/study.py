@@ -1,40 +1,42 @@
 """Studies of impacts on beds (scripts/impact.py)."""
-import math
+from __future__ import annotations
 
-from .parameters import ImpactParameters
+import math
+from typing import Any
+
+from ..experiment import PROVENANCE, Column, Experiment
+from ..quantities import BED_SECONDS, NUMBER, PACKING_FRACTION, THICKNESS, UNCERTIFIED, Quantity
 from .curves import drawCurves
-from ..experiment import PROVENANCE, Experiment
+from .parameters import ImpactParameters
 
 RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
-MEASURED = {
-    'number': ('particle', 'number'),
-    'H': ('bed', 'thickness'),
-    'C0': ('bed', 'packingFraction'),
-    'innerC0': ('bed', 'innerPackingFraction'),
-    'staticForce': ('bed', 'staticForce'),
-    'weight': ('bed', 'weight'),
-    'peak': ('impact', 'peak'),
-    'peakTime': ('impact', 'peakTime'),
-    'duration': ('impact', 'duration'),
-    'lastTime': ('impact', 'lastTime'),
-    'impulse': ('impact', 'impulse'),
-    'P0': ('P0',),
-    'bufferingRatio': ('bufferingRatio',),
-    'surfaceSpeed': ('impactor', 'surfaceSpeed'),
-    'over': ('impact', 'over'),
-    'solves': ('solver', 'solves'),
-    'iterations': ('solver', 'iterations'),
-    'fallbacks': ('solver', 'fallbacks'),
-    'uncertified': ('solver', 'uncertified'),
-    'dtImpact': ('timeStep', 'impact'),
-    'bedSeconds': ('bed', 'wallSeconds'),
-    'impactSeconds': ('wallSeconds',),
-    **PROVENANCE,
-}
-DERIVED = {
-    'pours': lambda summary: len(summary['bed']['pours']),
-    'atRest': lambda summary: bool(summary['bed']['atRest']['soft'] and summary['bed']['atRest']['true']),
-}
+COLUMNS = (
+    Column('peak', 'impact.peak', Quantity('peak force', '$P$', 'kN', 1e-3)),
+    Column('peakTime', 'impact.peakTime', Quantity('time of the peak in the record', '', 'ms', 1e3)),
+    Column('duration', 'impact.duration', Quantity('duration', '', 'ms', 1e3)),
+    Column('lastTime', 'impact.lastTime', Quantity('end of the last pulse in the record', '', 'ms', 1e3)),
+    Column('impulse', 'impact.impulse', Quantity('impulse', '', 'N s')),
+    Column('P0', 'P0', Quantity('peak force without a bed', '$P_0$', 'kN', 1e-3)),
+    Column('bufferingRatio', 'bufferingRatio', Quantity('buffering ratio')),
+    Column('number', 'particle.number', NUMBER),
+    Column('H', 'bed.thickness', THICKNESS),
+    Column('C0', 'bed.packingFraction', PACKING_FRACTION),
+    Column('innerC0', 'bed.innerPackingFraction', Quantity('inner packing fraction'), mayBeMissing=True),  # in a thin bed
+    Column('staticForce', 'bed.staticForce', Quantity('static force', '', 'N')),
+    Column('weight', 'bed.weight', Quantity('weight of the bed', '', 'N')),
+    Column('pours', lambda summary: len(summary['bed']['pours']), Quantity('pours')),
+    Column('atRest', lambda summary: bool(summary['bed']['atRest']['soft'] and summary['bed']['atRest']['true'])),
+    Column('surfaceSpeed', 'impactor.surfaceSpeed', Quantity('speed at the surface', '', 'm/s')),
+    Column('over', 'impact.over'),
+    Column('solves', 'solver.solves', Quantity('contact problems')),
+    Column('iterations', 'solver.iterations', Quantity('iterations')),
+    Column('fallbacks', 'solver.fallbacks', Quantity('fallbacks')),
+    Column('uncertified', 'solver.uncertified', UNCERTIFIED),
+    Column('dtImpact', 'timeStep.impact', Quantity('time step of the impact', '', 'us', 1e6)),
+    Column('bedSeconds', 'bed.wallSeconds', BED_SECONDS),
+    Column('impactSeconds', 'wallSeconds', Quantity('computing the impact', '', 's')),
+    *PROVENANCE,
+)
 DOUBTS = (('atRest', False, 'impacts on beds that were not at rest'), ('over', False, 'impacts that were not over when the record ended'))
 
 
@@ -48,17 +50,17 @@ def placesOf(p: ImpactParameters, number: int) -> list[dict[str, float]]:
     return [{}, *({'impactorX': round(x + ring * math.cos(a), 9), 'impactorY': round(y + ring * math.sin(a), 9)} for a in angles)]
 
 
-def _costs(particles):
+def _costs(particles: int) -> tuple[float, float]:
     """Higher beds take longer to rest, impacts last alike."""
     return particles ** 1.5, 9 * particles
 
 
-def _concerns(done):
+def _concerns(done: Any) -> list[str]:
     counts = [(int((done[column] == bad).sum()), text) for column, bad, text in DOUBTS]
     return [f'{text}: {count}' for count, text in counts if count] + _offThickness(done)
 
 
-def _offThickness(done):
+def _offThickness(done: Any) -> list[str]:
     """A sentence on the beds that are not as thick as they should be, if there are any. Those of a given number of particles may be."""
     aimed = done[done['particles'].isna()].drop_duplicates('bed')
     off = (aimed['H'] / aimed['thickness'] - 1).abs() > aimed['thicknessTolerance']
@@ -68,6 +70,5 @@ def _offThickness(done):
 IMPACTS = Experiment(
     name='impact', script='impact.py', folder='impacts', parameters=ImpactParameters, bedJobs=True,
     particleCount=ImpactParameters.particleCount, costs=_costs, places=placesOf,
-    measured=MEASURED, derived=DERIVED, mayBeMissing=('innerC0',),  # in a thin bed
-    runSeconds='impactSeconds', shown=('peak', 'C0', 'duration', 'H'), concerns=_concerns,
+    measured=COLUMNS, runSeconds='impactSeconds', shown=('peak', 'C0', 'duration', 'H'), concerns=_concerns,
     validations={'cylinderOnPlane': 'cylinder_on_plane'}, drawings={'curves': drawCurves})

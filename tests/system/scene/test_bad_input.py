@@ -11,7 +11,7 @@ from yade.minieigenHP import Quaternion
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
-from yade.superquadric.experiments.impact.parameters import checked, criticalImpactStep
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
 
 NAN, INF = float('nan'), float('inf')
 
@@ -107,7 +107,7 @@ BAD_PARAMETERS = [
     ('thickness', 0.4), ('particles', 2.5), ('particles', 100000), ('solidFraction', 0.9), ('containerDiameter', 0.01),
     ('containerHeight', 0.005), ('density', 0), ('young', -1e9), ('poisson', 0.5), ('friction', -0.4),
     ('normalDamping', 1.0), ('tangentialDamping', -0.1), ('rollingFriction', -1), ('impactorDiameter', 0.2),
-    ('impactorDensity', INF), ('speed', -5), ('dropHeight', -0.3), ('softening', 0.5), ('timeStepFraction', 1.5),
+    ('impactorDensity', INF), ('speed', -5), ('dropHeight', -0.3), ('pouringSoftening', 0.5), ('timeStepFraction', 1.5),
     ('dt', 1e-4), ('seed', -1), ('seed', 'abc')]
 
 
@@ -126,7 +126,7 @@ def test_dropThatEndsWithinTheParticles(material):
     """An impactor that has never been above them."""
     for speed, height in ((0.15, 0.0), (0.0, 0.02)):
         with pytest.raises(ValueError, match=f'dropHeight = {height}: too low; with speed = {speed} m/s'):
-            checked({'speed': speed, 'dropHeight': height})
+            ImpactParameters.checked({'speed': speed, 'dropHeight': height})
     ids = [O.bodies.append(sq.superquadric((0, 0, 0.1), (5e-3,) * 3, 2, 2, material))]
     before = len(O.materials)
     with pytest.raises(ValueError, match=r'dropHeight = 0.05: too low; with speed = 1.0 m/s .* 0.1055 m above'):
@@ -146,10 +146,10 @@ def test_timeStepAboveTheCriticalOneOfTheImpactor():
     """A small impactor of low density has a shorter critical step than the particles."""
     values = {'impactorDiameter': 2e-3, 'impactorDensity': 1000}
     critical = math.pi * 1e-3 / (0.163 * 0.2 + 0.8766) * math.sqrt(1000 / (1e9 / 2.4))
-    assert criticalImpactStep(checked(values)) == pytest.approx(critical, rel=1e-12)
+    assert ImpactParameters.checked(values).criticalImpactStep() == pytest.approx(critical, rel=1e-12)
     with pytest.raises(ValueError, match=r'dt = .*: above the critical'):
-        checked({**values, 'dt': 1.01 * critical})
-    assert checked({'dt': 1.01 * critical})['dt'] == 1.01 * critical
+        ImpactParameters.checked({**values, 'dt': 1.01 * critical})
+    assert ImpactParameters.checked({'dt': 1.01 * critical}).dt == 1.01 * critical
 
 
 def test_bedWithoutParticlesAndVoxelsWithoutNumber(material):
@@ -172,7 +172,7 @@ def test_containerThatIsNotEmpty(material):
 
 def test_unknownParameter():
     with pytest.raises(ValueError, match='thikness = 0.1'):
-        checked({'thikness': 0.1})
+        ImpactParameters.checked({'thikness': 0.1})
 
 
 def runScript(*arguments, script='impact.py'):

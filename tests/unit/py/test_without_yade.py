@@ -18,7 +18,7 @@ OF_YADE = {
     'validations.cylinderimpact', 'validations.elastoplasticimpact', 'validations.restingcube', 'validations.singlecrushing', 'vtk.recorder'}
 OF_GETFEM = {'plasticity.body', 'plasticity.cases', 'plasticity.identify'}
 PROGRAMS = {'pictures.renderprocess'}  # run as they are imported
-PLAIN_ROOMS = ('statistics', 'files')  # nothing in them may need YADE
+PLAIN_ROOMS = ('statistics', 'files', 'study')  # nothing in them may need YADE
 
 IMPORT_EACH = """
 import importlib, json, sys

@@ -10,12 +10,13 @@ import pytest
 from yade import O
 from yade.wrapper import CurvatureMat
 import yade.superquadric as sq
-from yade.superquadric.experiments.damper import run as damper, parameters
+from yade.superquadric.experiments.damper import run as damper
+from yade.superquadric.experiments.damper.parameters import DamperParameters
 from yade.superquadric.experiments.damper.run import DamperRun
 from yade.superquadric.experiments.damper.report import FILES, text
 
-SMALL = dict(particles=60, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, particleMass=0.05, boxMass=0.1, stiffness=4000,
-             forceAmplitude=5, frequency=30, transientTime=0.05, periods=5, samples=40, softening=1e4, settlingTime=0.1)
+SMALL = dict(particles=60, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, totalParticleMass=0.05, boxMass=0.1, stiffness=4000,
+             forceAmplitude=5, frequency=30, transientTime=0.05, periods=5, samples=40, softening=1e4, maxSettlingTime=0.1)
 
 
 def run(folder, **changes):
@@ -90,16 +91,17 @@ def test_emptyBoxThatStartsSteadyHasNoTransient(tmp_path, frequency):
 
 
 def test_startOfTheBox():
-    given = parameters.checked({**SMALL, 'frequency': 10, 'forceAmplitude': 1})
+    def start(**changes):
+        return DamperParameters.checked({**SMALL, 'frequency': 10, 'forceAmplitude': 1, **changes}).startOfTheBox()
     omega = 2 * math.pi * 10
-    assert parameters.startOf(given) == pytest.approx((0, omega / (4000 - 0.15 * omega ** 2)))   # 1.2 m/s2: the particles ride along
-    assert parameters.startOf({**given, 'forceAmplitude': 30})[1] == pytest.approx(30 * omega / (4000 - 0.1 * omega ** 2))
-    damped = parameters.startOf({**given, 'particles': 0, 'dashpot': 8.0})
+    assert start() == pytest.approx((0, omega / (4000 - 0.15 * omega ** 2)))   # 1.2 m/s2: the particles ride along
+    assert start(forceAmplitude=30)[1] == pytest.approx(30 * omega / (4000 - 0.1 * omega ** 2))
+    damped = start(particles=0, dashpot=8.0)
     amplitude = 1 / complex(4000 - 0.1 * omega ** 2, 8 * omega)
     assert damped == pytest.approx((amplitude.imag, omega * amplitude.real))
-    resonant = {**given, 'particles': 0, 'frequency': 200 / (2 * math.pi), 'forceAmplitude': 5}
-    assert parameters.startOf(resonant) == pytest.approx((-SMALL['boxHeight'], 0), abs=1e-9)
-    assert parameters.startOf({**resonant, 'start': 'rest'}) == (0, 0)
+    resonant = {'particles': 0, 'frequency': 200 / (2 * math.pi), 'forceAmplitude': 5}
+    assert start(**resonant) == pytest.approx((-SMALL['boxHeight'], 0), abs=1e-9)
+    assert start(**resonant, start='rest') == (0, 0)
 
 
 @pytest.mark.parametrize('frequency', (20, 45))
@@ -122,17 +124,17 @@ def test_otherDirectionsLawsAndShapesClose(tmp_path, changes):
 
 
 def test_materialGivesWhatIsNotGiven(tmp_path):
-    given = parameters.checked(dict(material='steel-4340', young=190e9))
-    assert (given['young'], given['poisson'], given['density']) == (190e9, 0.32, 7830)
-    assert parameters.checked(given) == given
-    assert parameters.makeMaterial(given).yieldStress == 792e6
-    assert isinstance(parameters.makeMaterial({**given, 'law': 'curvature'}), CurvatureMat)
+    given = DamperParameters.checked(dict(material='steel-4340', young=190e9))
+    assert (given.young, given.poisson, given.density) == (190e9, 0.32, 7830)
+    assert DamperParameters.checked(given.asDict()) == given
+    assert damper.newMaterial(given).yieldStress == 792e6
+    assert isinstance(damper.newMaterial(given.changed({'law': 'curvature'})), CurvatureMat)
 
 
 @pytest.mark.parametrize('softening', (10, 1000))
 def test_softeningKeepsTheSpeedAtWhichItYields(softening):
     """The energy of a collision that just yields is fy dy/2.5, with fy as py^3/E^2 and dy as (py/E)^2: as py^5/E^4."""
-    hard, soft = (parameters.makeMaterial(parameters.checked(dict(softening=s))) for s in (1, softening))
+    hard, soft = (damper.newMaterial(DamperParameters.checked(dict(softening=s))) for s in (1, softening))
     assert hard.young == pytest.approx(softening * soft.young)
     assert soft.yieldStress ** 5 / soft.young ** 4 == pytest.approx(hard.yieldStress ** 5 / hard.young ** 4, rel=1e-12)
 
@@ -160,7 +162,7 @@ def test_interruptedFolderIsNotOverwritten(tmp_path, monkeypatch):
 
 
 def test_sizesAreNormalAndCut():
-    radii = [shape.extents[0] / 1e-3 - 1 for shape in damper.particleShapes({**parameters.defaults(), 'particles': 4000})]
+    radii = [shape.extents[0] / 1e-3 - 1 for shape in DamperParameters.checked({'particles': 4000}).drawnShapes(4000, seed=1)]
     assert max(map(abs, radii)) <= 0.01
     assert math.sqrt(sum(r * r for r in radii) / 4000) == pytest.approx(0.01 / 3, rel=0.05)
     assert len(set(radii)) == 4000
@@ -168,9 +170,9 @@ def test_sizesAreNormalAndCut():
 
 def test_paperNumbers():
     """What the paper prints of its system, and where its mass is ten times that of its spheres."""
-    paper = parameters.checked({})
-    assert parameters.filling(paper) == pytest.approx(0.2, abs=0.003)
-    assert parameters.naturalFrequency(paper) == pytest.approx(28.7, abs=0.06)
-    assert parameters.naturalFrequency(paper, 0.222) == pytest.approx(21.7, abs=0.05)
-    assert 2000 * parameters.shapeOf(paper).volume * 2700 == pytest.approx(0.0226, abs=1e-4)
-    assert parameters.densityOf({**paper, 'particleMass': 0.222}) == pytest.approx(26500, rel=1e-3)
+    paper = DamperParameters.checked({})
+    assert paper.filling() == pytest.approx(0.2, abs=0.003)
+    assert paper.naturalFrequency() == pytest.approx(28.7, abs=0.06)
+    assert paper.naturalFrequency(0.222) == pytest.approx(21.7, abs=0.05)
+    assert 2000 * paper.meanShape.volume * 2700 == pytest.approx(0.0226, abs=1e-4)
+    assert paper.changed({'totalParticleMass': 0.222}).particleDensity() == pytest.approx(26500, rel=1e-3)

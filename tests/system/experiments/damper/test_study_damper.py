@@ -19,8 +19,8 @@ from yade.superquadric.study.studyfile import checkedStudy
 
 from project import LIMIT, PROJECT
 
-SMALL = dict(particles=40, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, particleMass=0.03, boxMass=0.1, stiffness=4000,
-             forceAmplitude=5, transientTime=0.03, periods=4, samples=40, softening=1e4, settlingTime=0.05)
+SMALL = dict(particles=40, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, totalParticleMass=0.03, boxMass=0.1, stiffness=4000,
+             forceAmplitude=5, transientTime=0.03, periods=4, samples=40, softening=1e4, maxSettlingTime=0.05)
 STUDY = {'experiment': 'damper', 'title': 'A small sweep', 'base': SMALL, 'seeds': [3], 'groups': {'sweep': {
     'x': {'frequency': [20, 30.5]}, 'series': {'spheres': {}, 'empty': {'particles': 0, 'dashpot': 4}},
     'figures': {'response': {'kind': 'response'}, 'shares': {'kind': 'shares', 'series': ['spheres']},

@@ -16,8 +16,10 @@ import yade.superquadric as sq
 from yade.superquadric.experiments.impact import forceplot, report
 from yade.superquadric.pictures import render
 from yade.superquadric.files import results, sealed
-from yade.superquadric.experiments.impact.parameters import checked
-from yade.superquadric.experiments.impact.impactor import supportForce, surfaceSpeed
+from yade.superquadric.experiments.impact.fall import surfaceSpeed
+from yade.superquadric.experiments.impact.impactor import supportForce
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
+from yade.superquadric.experiments.impact.run import ImpactState
 
 from project import LIMIT, PROJECT
 
@@ -96,7 +98,7 @@ def test_baseAndWallCarryTheWeight():
 def test_summaryFollowsFromTheRecord(small):
     output, summary = small
     assert results.readJson(str(output / 'summary.json')) == summary
-    assert summary['parameters'] == checked(SMALL)
+    assert summary['parameters'] == ImpactParameters.checked(SMALL).asDict()
     force = [f - summary['bed']['staticForce'] for f in record(output)['baseForce']]
     assert summary['impact']['peak'] == max(force)
     assert summary['bufferingRatio'] == pytest.approx(1 - max(force) / summary['P0'])
@@ -155,8 +157,8 @@ def test_batchTable(tmp_path):
                           text=True, timeout=LIMIT)
     assert done.returncode == 0, done.stderr
     parameters = results.readJson(str(tmp_path / 'results' / 'high' / 'summary.json'))['parameters']
-    assert parameters == checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
-                                        'impactorDiameter': 0.02})
+    assert parameters == ImpactParameters.checked({'shape': 'sphere', 'thickness': 0.02, 'containerDiameter': 0.06,
+                                                   'impactorDiameter': 0.02}).asDict()
 
 
 def script(output, *arguments):
@@ -275,7 +277,7 @@ def test_failedPicturesCostNoResults(tmp_path, monkeypatch):
     assert results.readJson(str(tmp_path / 'summary.json')) == summary and len(os.listdir(tmp_path / 'frames')) > 20
     assert 'no pictures of the particles: the disk is full' in said.getvalue() and 'no pictures of the force' in said.getvalue()
     job.pictures = False
-    job.state['stage'] = 'report'
+    job.state.stage = 'report'
     job.run()
     assert not (tmp_path / 'frames').exists()
 
@@ -285,8 +287,8 @@ def test_aSeriesBelongsToTheImpact(tmp_path):
     done = script(tmp_path / 'bed', '--bedOnly', '--vtk')
     message = done.communicate(timeout=LIMIT)[1]
     assert done.returncode == 2 and 'vtk: the series is of the impact' in message and not (tmp_path / 'bed').exists()
-    run = sq.ImpactRun.inFolder(str(tmp_path), {'parameters': checked(SMALL), 'vtk': True}, stream=None)
-    assert 'vtk' not in run.state
+    run = sq.ImpactRun.inFolder(str(tmp_path), ImpactParameters.checked(SMALL), ImpactState(stage='prepare', vtk=True), stream=None)
+    assert run.state.vtk is False
 
 
 def test_aFinishedBedIsNotPouredAgain(tmp_path):

@@ -104,7 +104,7 @@ def test_strainAndVoidRatioAreThoseOfThePlate(small):
 @pytest.mark.parametrize('container', ('box', 'cylinder'))
 def test_aSingleSphereAnswersAsHertzSays(tmp_path, container):
     """Between plate and base there are two contacts of E/(2 (1 - nu^2)) and the sphere's radius; each takes half of the way."""
-    changes = dict(particles=1, smallestDiameter=0.04, largestDiameter=0.04, width=0.05, container=container, mode='none', maxStress=1e6,
+    changes = dict(particles=1, smallestDiameter=0.04, largestDiameter=0.04, containerWidth=0.05, container=container, mode='none', maxStress=1e6,
                    maxStrain=0.1, young=2e9, inertialNumber=1e-3, sampleStrain=1e-4)
     summary = run(tmp_path, **changes).run()
     record, height = case.columns(tmp_path / 'stress.csv'), summary['bed']['height']
@@ -226,9 +226,9 @@ def test_fragmentsOfHeavyFragmentsHaveTheirOwnMass():
     assert len(masses) == 4 and sum(masses) == pytest.approx(2500 * math.pi / 6 * 0.02 ** 3 / 4)
 
 
-BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('width', 0.03), ('container', 'bag'), ('shape', 'egg'), ('mode', 'balls5'),
+BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('containerWidth', 0.03), ('container', 'bag'), ('shape', 'egg'), ('mode', 'balls5'),
        ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0), ('smallestFragment', 0.015),
-       ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('damping', 1), ('restitution', 0.05),
+       ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('numericalDamping', 1), ('restitution', 0.05),
        ('sampleStrain', math.nan), ('wheels', 4)]
 
 

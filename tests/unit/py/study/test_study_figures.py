@@ -16,8 +16,8 @@ from scipy import stats
 
 from yade.superquadric.experiments.impact.curves import meanCurve, readRecord
 from yade.superquadric.experiments.impact.study import IMPACTS
-from yade.superquadric.experiments.quantities import QUANTITIES, counted
-from yade.superquadric.study.experiments import EXPERIMENTS
+from yade.superquadric.experiments.quantities import counted
+from yade.superquadric.study.experiments import EXPERIMENTS, QUANTITIES
 from yade.superquadric.study.figures import _differenceText, checkFigure, drawFigure
 from yade.superquadric.study.groupdata import GroupData
 from yade.superquadric.study.page import drawStudy
@@ -190,8 +190,11 @@ def test_oneIsNotMany():
     assert [counted(number) for number in (0, 1, 18)] == ['0 runs', '1 run', '18 runs'] and counted(1, 'bed') == '1 bed'
 
 
-def test_quantitiesAreColumnsOfTheTable():
-    assert set(QUANTITIES) <= {column for experiment in EXPERIMENTS.values() for column in experiment.columns()}
+@pytest.mark.parametrize('name', tuple(EXPERIMENTS))
+def test_columnsAreDeclaredOnceAndMeanTheSameInAllExperiments(name):
+    columns, quantities = EXPERIMENTS[name].columns(), EXPERIMENTS[name].quantities()
+    assert len(columns) == len(set(columns)) and set(quantities) < set(columns)
+    assert quantities == {column: QUANTITIES[column] for column in quantities}
 
 
 def test_differenceToTheFirstVariantIsPaired():
