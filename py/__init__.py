@@ -15,7 +15,8 @@ from .version import __version__
 # Where each name is defined. It is imported when it is first asked for, so that what needs no YADE (statistics, files, studies) can be
 # imported where there is none.
 _HANDED_ON = {
-    'experiments.impact.impactor': ('Pulse', 'Recorder', 'addImpactor', 'bareImpact', 'pulse', 'recordImpact'),
+    'experiments.impact.impactor': ('Recorder', 'addImpactor', 'bareImpact', 'recordImpact'),
+    'experiments.impact.pulse': ('Pulse', 'pulse'),
     'experiments.impact.run': ('ImpactRun',),
     'materials.elastoplastic': ('elastoplasticMat',),
     'measure.bed': ('measureBed',),

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+Array = NDArray[np.floating[Any]]
 
 RECORD = 'motion.csv'  # of a run
 LONGEST = 8          # periods of the drive after which a motion is compared with itself, at most

@@ -9,7 +9,7 @@ from yade.wrapper import VibrationRecorder
 
 from ...files import results
 from ...pictures import attempt
-from ...runs import filenames
+from ...runs.filenames import SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import engine
 from . import motion as dampermotion, plots
@@ -19,7 +19,6 @@ from .motion import RECORD, Motion
 if TYPE_CHECKING:
     from .run import DamperRun
 
-SUMMARY = filenames.SUMMARY
 PICTURES = SPECTRUM, PHASES, HISTORY, ENERGIES = ('spectrum.png', 'phases.png', 'motion.png', 'energies.png')
 FILES = (SUMMARY, RECORD, *PICTURES)
 
