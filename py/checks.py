@@ -1,20 +1,23 @@
 """Checks of what a user hands over: every function returns the accepted value or raises a ValueError that names
 the parameter and the value. They are called before anything is changed."""
+from __future__ import annotations
+
 import math
 import os
-from collections.abc import Mapping, Set
+from collections.abc import Callable, Collection, Mapping, Set
 from numbers import Number
+from typing import Any
 
 STEPS = 10 ** 15  # of a run, at most: YADE counts them in 64 bits, and this many take years
 LARGEST = 1e30  # no quantity of a bed in SI units comes near it, nor near its inverse, and products of ten such do not overflow
 
 
-def shown(value):
+def shown(value: Any) -> str:
     """`value` for a message; Python writes out no whole number of thousands of digits."""
     return 'a whole number of thousands of digits' if isinstance(value, int) and abs(value) >= 10 ** 4000 else repr(value)
 
 
-def finite(name, value):
+def finite(name: str, value: Any) -> float:
     """`value` as a finite float of at most LARGEST; True, False and arrays are no numbers, texts of numbers are."""
     try:
         if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or getattr(value, 'shape', ()):
@@ -31,7 +34,7 @@ def finite(name, value):
     return number
 
 
-def positive(name, value):
+def positive(name: str, value: Any) -> float:
     """`value` as a float above 0, of at least 1/LARGEST."""
     number = finite(name, value)
     if number < 1 / LARGEST:
@@ -39,7 +42,7 @@ def positive(name, value):
     return number
 
 
-def notNegative(name, value):
+def notNegative(name: str, value: Any) -> float:
     """`value` as a float of at least 0."""
     number = finite(name, value)
     if number < 0:
@@ -47,7 +50,7 @@ def notNegative(name, value):
     return number
 
 
-def within(name, value, low, high, highIncluded=True):
+def within(name: str, value: Any, low: float, high: float, highIncluded: bool = True) -> float:
     """`value` as a float in [low, high], or in [low, high) without `highIncluded`."""
     number = finite(name, value)
     if not (low <= number < high or (highIncluded and number == high)):
@@ -55,7 +58,7 @@ def within(name, value, low, high, highIncluded=True):
     return number
 
 
-def above(name, value, low, high):
+def above(name: str, value: Any, low: float, high: float) -> float:
     """`value` as a float in the open interval (low, high)."""
     number = finite(name, value)
     if not low < number < high:
@@ -63,7 +66,7 @@ def above(name, value, low, high):
     return number
 
 
-def wholeNumber(name, value, least, most=None):
+def wholeNumber(name: str, value: Any, least: int, most: int | None = None) -> int:
     """`value` as an int of at least `least`, and at most `most` (None: any)."""
     number = finite(name, value)
     if number != int(number) or number < least or (most is not None and number > most):
@@ -71,7 +74,7 @@ def wholeNumber(name, value, least, most=None):
     return value if type(value) is int else int(number)  # a float has not all digits of a large one
 
 
-def path(name, value):
+def path(name: str, value: Any) -> str:
     """`value` as the text of a path; TypeError for what is none. C++ cuts at null characters, and takes UTF-8 only."""
     result = os.fsdecode(value)
     if '\0' in result or any('\ud800' <= letter <= '\udfff' for letter in result):
@@ -79,14 +82,14 @@ def path(name, value):
     return result
 
 
-def text(name, value):
+def text(name: str, value: Any) -> str:
     """`value` if it is a text."""
     if not isinstance(value, str):
         raise ValueError(f'{name} = {value!r}: must be a text')
     return value
 
 
-def boolean(name, value):
+def boolean(name: str, value: Any) -> bool:
     """`value` as bool: True or False, or (from a command line) one of these words; else ValueError."""
     words = {'true': True, 'false': False}
     if isinstance(value, bool):
@@ -96,14 +99,14 @@ def boolean(name, value):
     raise ValueError(f'{name} = {value!r}: must be true or false')
 
 
-def oneOf(name, value, choices):
+def oneOf(name: str, value: Any, choices: Collection[Any]) -> Any:
     """`value` if it is among `choices`."""
     if not (value is None or isinstance(value, (str, Number))) or value not in choices:
         raise ValueError(f'{name} = {value!r}: must be one of {", ".join(map(str, choices))}')
     return value
 
 
-def vector(name, value, check=finite):
+def vector(name: str, value: Any, check: Callable[[str, Any], float] = finite) -> tuple[float, float, float]:
     """Three numbers as a tuple of floats, each accepted by `check`."""
     try:
         numbers = () if isinstance(value, (str, bytes, Set, Mapping)) else tuple(value)
@@ -114,11 +117,11 @@ def vector(name, value, check=finite):
     return tuple(check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
 
 
-def extents(name, value):
+def extents(name: str, value: Any) -> tuple[float, float, float]:
     """Three positive half sizes [m] as a tuple of floats."""
     return vector(name, value, positive)
 
 
-def exponent(name, value):
+def exponent(name: str, value: Any) -> float:
     """A superquadric's exponent, in [2, 20]."""
     return within(name, value, 2, 20)

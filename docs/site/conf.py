@@ -12,7 +12,6 @@ copyright = f'2026, {author}'
 version = release
 
 extensions = ['myst_parser', 'sphinx.ext.autodoc', 'yadeclasses', 'packagemodules', 'mathml']
-exclude_patterns = ['site']
 default_role = 'code'  # `name` in docstrings is code, as in Markdown
 
 html_theme = 'furo'
@@ -23,6 +22,19 @@ html_copy_source = False
 myst_heading_anchors = 4
 
 autodoc_member_order = 'bysource'
-autodoc_typehints = 'none'
+autodoc_typehints = 'signature'
+autodoc_typehints_format = 'fully-qualified'
 autodoc_mock_imports = ['getfem', 'pandas', 'pyvista', 'scipy', 'vtkmodules']  # their modules are described without running them
 html_math_renderer = 'mathml'
+
+# Pages of the project's top folder, which Sphinx does not read: each is included by a page of the site.
+TOP_PAGES = {'](../CONTRIBUTING.md': '](site/contributing.md', '](../CHANGELOG.md': '](site/changes.md'}
+
+
+def linkTopPages(app, name, source):
+    for theirs, here in TOP_PAGES.items():
+        source[0] = source[0].replace(theirs, here)
+
+
+def setup(app):
+    app.connect('source-read', linkTopPages)

@@ -30,14 +30,14 @@ def registered(folder):
     return sorted(names, key=lambda name: (re.match(r'(Bo1|Ig2|Ip2|Law2|Gl1)_', name) is not None, name))
 
 
-def ours():
+def pluginClasses():
     """The names of all classes of the plugin."""
     return {name for folder in PKG.iterdir() for name in registered(folder.name)}
 
 
 def rest(text):
     """A docstring's text as reStructuredText: $...$ is mathematics, and YADE's notes on types are left out."""
-    text = text.replace('|yupdate|', 'Updated in every step.')
+    text = text.replace('|yupdate|', 'Updated in every step.').replace('|ydeprecated|', 'Deprecated.')
     text = re.sub(r'\$([^$]+)\$', r':math:`\1`', FIELD.sub('', text.replace('[defined below]', '')))
     text = STATIC.sub(r'.. py:attribute:: \1\n :value: \2', text)
     return re.sub(r'[ \t]+', ' ', text).strip()
@@ -105,7 +105,7 @@ def yref(role, rawtext, text, line, inliner, options=None, content=None):
     """`:yref:` to a class or a member: of this plugin, in these pages; of YADE, in its documentation."""
     found = re.fullmatch(r'(.*?)\s*<(.*)>', text)
     title, target = found.groups() if found else (text, text)
-    if target.split('.')[0] in ours():
+    if target.split('.')[0] in pluginClasses():
         kind = 'attr' if '.' in target else 'class'
         return inliner.interpreted(f'{title} <{target}>', f'{title} <{target}>', f'py:{kind}', line)
     return [nodes.reference(rawtext, '', nodes.literal(title, title), refuri=YADES + target)], []

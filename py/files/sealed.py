@@ -3,16 +3,23 @@
 YADE reads a damaged scene as far as it can, and may end the whole process on the way; a flipped digit in a JSON file is another number.
 Hence the sums (SHA-256), looked at first.
 """
+from __future__ import annotations
+
 import hashlib
 import json
 import os
+from collections.abc import Collection, Mapping
+from typing import TYPE_CHECKING, Any
 
 from . import results
+
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
 
 SEAL = 'seal'
 
 
-def write(path, state, names):
+def write(path: PathLike, state: Mapping[str, Any], names: Collection[str]) -> None:
     """Write the `state`, a dict for JSON, and the sums of itself and of the files `names` in its folder, which are complete."""
     files = {name: _sumOfFile(os.path.join(os.path.dirname(path), name)) for name in names}
     for name in names:
@@ -20,7 +27,7 @@ def write(path, state, names):
     results.writeJson(path, {**state, SEAL: {'files': files, 'state': _sumOf(state)}})
 
 
-def read(path):
+def read(path: PathLike) -> dict[str, Any]:
     """The state in the file, which has been compared with the sums, and so have the files that belong to it.
 
     :raises ValueError: naming the file that is damaged or missing
@@ -45,11 +52,11 @@ def read(path):
     return state
 
 
-def _sumOf(state):
+def _sumOf(state: Mapping[str, Any]) -> str:
     # What is read from JSON is written alike: tuples have become lists, keys texts, and numbers keep all their digits.
     return hashlib.sha256(json.dumps(state).encode()).hexdigest()
 
 
-def _sumOfFile(path):
+def _sumOfFile(path: PathLike) -> str:
     with open(path, 'rb') as file:
         return hashlib.file_digest(file, 'sha256').hexdigest()

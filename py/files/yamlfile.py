@@ -1,10 +1,16 @@
 """YAML files that a user writes: read safely, numbers such as 5e-3 as numbers, no key twice."""
+from __future__ import annotations
+
 import re
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
 
-def read(name, path):
+
+def read(name: str, path: PathLike) -> Any:
     """The content of the YAML file `path`.
 
     :param name: what the file is to the user, for messages
@@ -22,7 +28,7 @@ def read(name, path):
 class _Loader(yaml.SafeLoader):
     """YAML's safe loader that knows 5e-3 as a number, and refuses a key that comes twice in a mapping instead of taking the last."""
 
-    def construct_mapping(self, node, deep=False):
+    def construct_mapping(self, node: yaml.MappingNode, deep: bool = False) -> dict[Any, Any]:
         keys = [key.value for key, _ in node.value if key.tag != 'tag:yaml.org,2002:merge' and isinstance(key.value, str)]
         for key in keys:
             if keys.count(key) > 1:

@@ -1,18 +1,24 @@
 """The elastoplastic material of a scene: from a shipped material, a user's material file, or its numbers."""
+from __future__ import annotations
+
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from yade.wrapper import ElastoplasticMat
 
 from .. import checks
 from .shipped import properties
 
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
+
 OF_THE_MATERIAL = ('young', 'poisson', 'density', 'yieldStress')
 HARDENING = ('referenceRadius', 'm0', 'm1', 'm2', 'exponent', 'smallestRatio', 'largestRatio')
 TOLD_ONLY = ('name', 'source', 'stressStrain', 'fit')  # of a material file: not needed by the contact law
 
 
-def elastoplasticMat(material, **others):
+def elastoplasticMat(material: PathLike | Mapping[str, Any], **others: Any) -> ElastoplasticMat:
     """An `ElastoplasticMat`.
 
         sq.elastoplasticMat('aluminium-2024-T351', frictionAngle=0.4, normalDamping=sq.normalDampingFor(0.8))
@@ -41,7 +47,7 @@ def elastoplasticMat(material, **others):
     return ElastoplasticMat(**{'label': known.get('name', ''), **own, 'yieldStress': yieldStress, **others})
 
 
-def _checkKeys(name, given, needed, allowed):
+def _checkKeys(name: str, given: Mapping[str, Any], needed: Sequence[str], allowed: Sequence[str]) -> None:
     for key in needed:
         if key not in given:
             raise ValueError(f'{name} = {dict(given)!r}: {key} is missing')

@@ -10,14 +10,21 @@
 
 `hardening` and `fit` are what scripts/identify_plasticity.py adds.
 """
+from __future__ import annotations
+
 import math
 import re
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
 from .. import checks
 from ..files import yamlfile
 from ..files.results import Replacing
+
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
 
 MATERIAL_KEYS = ('name', 'source', 'young', 'poisson', 'density', 'yieldStress', 'stressStrain')
 HARDENING_KEYS = ('referenceRadius', 'm0', 'm1', 'm2', 'exponent', 'smallestRatio', 'largestRatio')
@@ -27,7 +34,7 @@ FIT_KEYS = ('cases', 'largestOverlap', 'largestHalfWidth', 'residual', 'hertzErr
 SAME_STRESS = 1e-9   # relative: between numbers that mean the same and were written by hand or by program
 
 
-def read(path, identified=True):
+def read(path: PathLike, identified: bool = True) -> dict[str, Any]:
     """The checked content of the material file `path`.
 
     :param identified: whether the file must have `hardening`
@@ -41,7 +48,7 @@ def read(path, identified=True):
         raise ValueError(f'material file = {str(path)!r}: {error}') from None
 
 
-def checked(content, identified=True):
+def checked(content: Any, identified: bool = True) -> dict[str, Any]:
     """`content` of a material file, checked as by `read`."""
     needed = MATERIAL_KEYS + (('hardening',) if identified else ())
     _checkKeys('material', content, needed, MATERIAL_KEYS + ('hardening', 'fit'))
@@ -60,7 +67,7 @@ def checked(content, identified=True):
     return result
 
 
-def checkedHardening(content):
+def checkedHardening(content: Any) -> dict[str, float]:
     """The constants of (1) and (2) as floats. The same conditions as in pkg/mechanics/ElastoplasticContact.cpp: the force must grow with the
     overlap, but less than Hertz's stiffness does."""
     _checkKeys('hardening', content, HARDENING_KEYS, HARDENING_KEYS)
@@ -78,19 +85,19 @@ def checkedHardening(content):
     return constants
 
 
-def factor(hardening, ratio):
+def factor(hardening: Mapping[str, float], ratio: float) -> float:
     """G at R/R0, (2)."""
     return hardening['m0'] + ratio * (hardening['m1'] + ratio * hardening['m2'])
 
 
-def lowestFactorRatio(hardening):
+def lowestFactorRatio(hardening: Mapping[str, float]) -> float:
     """R/R0 within the fit where G is lowest: at an end, or at the parabola's vertex."""
     low, high = hardening['smallestRatio'], hardening['largestRatio']
     vertex = -hardening['m1'] / (2 * hardening['m2']) if hardening['m2'] else low
     return min((low, high, min(max(vertex, low), high)), key=lambda ratio: factor(hardening, ratio))
 
 
-def write(path, content):
+def write(path: PathLike, content: Mapping[str, Any]) -> None:
     """Write the material file `path`; it takes the place of an older one only when it is complete.
 
     :raises ValueError: `content` is none that `read` would accept
@@ -105,7 +112,7 @@ class _Dumper(yaml.SafeDumper):
     """YAML's safe dumper that gives numbers with a power of ten the point that YAML 1.1 asks for."""
 
 
-def _number(dumper, value):
+def _number(dumper: yaml.SafeDumper, value: float) -> yaml.ScalarNode:
     text = repr(float(value))
     text = re.sub(r'^(-?\d+)e', r'\1.0e', text)
     return dumper.represent_scalar('tag:yaml.org,2002:float', text)
@@ -114,7 +121,7 @@ def _number(dumper, value):
 _Dumper.add_representer(float, _number)
 
 
-def _checkKeys(place, content, needed, allowed):
+def _checkKeys(place: str, content: Any, needed: Sequence[str], allowed: Sequence[str]) -> dict[str, Any]:
     if not isinstance(content, dict):
         raise ValueError(f'{place} = {content!r}: must be a mapping of names to values')
     for key in content:
@@ -126,13 +133,13 @@ def _checkKeys(place, content, needed, allowed):
     return content
 
 
-def _text(key, value):
+def _text(key: str, value: Any) -> str:
     if not isinstance(value, str) or not value.strip():
         raise ValueError(f'{key} = {value!r}: must be a text')
     return value
 
 
-def _stressStrain(rows, yieldStress, young):
+def _stressStrain(rows: Any, yieldStress: float, young: float) -> list[list[float]]:
     """The curve as a list of pairs of floats."""
     if not isinstance(rows, list) or len(rows) < 2:
         raise ValueError(f'stressStrain = {rows!r}: must be a list of at least two [plastic strain, stress]')

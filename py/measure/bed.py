@@ -1,17 +1,25 @@
 """Measures of a bed from its geometry: thickness, packing fraction. Both are read from the particles cut into voxels."""
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .. import checks
-from ..scene.container import crossSection
+from ..scene.container import Container, crossSection
 from ..scene.shapes import unitVolume
-from .snapshot import boxHalfHeights, gauge
+from .snapshot import Snapshot, boxHalfHeights, gauge
+
+if TYPE_CHECKING:
+    from ..typealiases import Bools, Floats
+    from .scenesnapshot import SceneSnapshot
 
 MOST_VOXELS = 2e8  # a byte each
 
 
-def voxelGrid(snapshot, container, voxel):
+def voxelGrid(snapshot: SceneSnapshot, container: Container, voxel: float) -> tuple[Bools, list[Floats]]:
     """Which voxels have their centre inside a particle.
 
     :param container: `Container`; the grid covers its base and reaches up to the highest particle
@@ -34,7 +42,7 @@ def voxelGrid(snapshot, container, voxel):
     return filled, centers
 
 
-def _fill(filled, centers, origin, voxel, snapshot, i, reach):
+def _fill(filled: Bools, centers: Sequence[Floats], origin: Floats, voxel: float, snapshot: SceneSnapshot, i: int, reach: Floats) -> None:
     position = snapshot.positions[i]
     first = np.maximum(np.floor((position - reach - origin) / voxel).astype(int), 0)
     last = np.minimum(np.ceil((position + reach - origin) / voxel).astype(int), filled.shape)
@@ -46,7 +54,7 @@ def _fill(filled, centers, origin, voxel, snapshot, i, reach):
     filled[box] |= gauge(local, snapshot.extents[i], snapshot.exponents[i]) <= 1
 
 
-def measureBed(snapshot, container, voxel=None):
+def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = None) -> dict[str, float | None]:
     """Thickness and packing fraction of a bed at rest.
 
     thickness [m]: mean, over all voxel columns within the container, of the height of the highest solid voxel (a
@@ -78,19 +86,19 @@ def measureBed(snapshot, container, voxel=None):
             'innerPackingFraction': float(inner.mean()) if inner.size else None, 'voxel': float(voxel)}
 
 
-def particleVolumes(snapshot):
+def particleVolumes(snapshot: SceneSnapshot) -> Floats:
     """Exact volumes (N,) [m3]."""
     units = {tuple(pair): unitVolume(*pair) for pair in np.unique(snapshot.exponents, axis=0)}
     return snapshot.extents.prod(axis=1) * np.array([units[tuple(pair)] for pair in snapshot.exponents])
 
 
-def _halfSizes(container):
+def _halfSizes(container: Container) -> tuple[float, float]:
     if container.radius is not None:
         return container.radius, container.radius
     return container.width / 2, container.depth / 2
 
 
-def _columnsInside(container, centers, margin):
+def _columnsInside(container: Container, centers: Sequence[Floats], margin: float) -> Bools:
     x, y = np.meshgrid(centers[0], centers[1], indexing='ij')
     if container.radius is not None:
         return np.hypot(x, y) <= container.radius - margin

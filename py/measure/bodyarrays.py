@@ -1,5 +1,12 @@
 """The rows that bodies and contacts are as numpy arrays, for files and pictures; `scenearrays` gathers them from the scene."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats
 
 SPHERE, SUPERQUADRIC, WALL, CYLINDER, FACET = range(5)  # kinds of shapes
 
@@ -13,7 +20,7 @@ CONTACT = np.dtype([
 BORDER = np.dtype([('id', 'i8'), ('kind', 'i8'), ('position', 'f8', 3), ('orientation', 'f8', 4), ('numbers', 'f8', 9)])
 
 
-def matrices(quaternions):
+def matrices(quaternions: ArrayLike) -> Floats:
     """Rotation matrices (N, 3, 3) of unit quaternions (N, 4) as (x, y, z, w)."""
     x, y, z, w = np.moveaxis(np.asarray(quaternions, dtype=float), -1, 0)
     rows = [[1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],

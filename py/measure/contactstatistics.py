@@ -1,15 +1,25 @@
 """Distributions of the number of contacts of a particle, and of their mean force. A contact counts when it carries a normal force."""
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+if TYPE_CHECKING:
+    from ..typealiases import Floats, Ints
+
 RATTLER_CONTACTS = 1  # a particle with so many or fewer is a rattler: it carries nothing (Zhao & Chi 2023: none or one contact)
 
-Contacts = namedtuple('Contacts', 'numbers forces')
-Contacts.__doc__ = """Of every particle: numbers (N,) of its contacts, walls included; forces (N,): their mean normal force [N], 0 without any."""
+
+class Contacts(NamedTuple):
+    """Of every particle: numbers (N,) of its contacts, walls included; forces (N,): their mean normal force [N], 0 without any."""
+
+    numbers: Ints
+    forces: Floats
 
 
-def ofBodies(ids):
+def ofBodies(ids: Sequence[int]) -> Contacts:
     """`Contacts` of the particles `ids` (sorted), from the scene's last step."""
     from yade import O  # the rest of this module needs no YADE
     ids = np.asarray(ids, dtype=int)
@@ -28,13 +38,13 @@ def ofBodies(ids):
     return Contacts(numbers, np.divide(sums, numbers, out=np.zeros(len(ids)), where=numbers > 0))
 
 
-def withoutRattlers(contacts):
+def withoutRattlers(contacts: Contacts) -> Contacts:
     """Those of the particles that carry. Their contacts with rattlers still count: the measure is the paper's, one look without repetition."""
     carrying = contacts.numbers > RATTLER_CONTACTS
     return Contacts(contacts.numbers[carrying], contacts.forces[carrying])
 
 
-def numberDistribution(contacts):
+def numberDistribution(contacts: Contacts) -> tuple[Ints, Floats]:
     """(numbers 0 ... largest, share of the particles that have so many)."""
     if not len(contacts.numbers):
         return np.zeros(0, dtype=int), np.zeros(0)
@@ -42,7 +52,7 @@ def numberDistribution(contacts):
     return np.arange(len(counts)), counts / counts.sum()
 
 
-def forceDistribution(contacts, edges):
+def forceDistribution(contacts: Contacts, edges: Floats) -> Floats:
     """Probability density of a particle's mean contact force over the mean of all of them, in the bins between `edges` [-].
 
     Particles beyond the edges count in the whole, so the integral over the bins is the share within them. All zeros where no force is.
@@ -54,7 +64,7 @@ def forceDistribution(contacts, edges):
     return counts / (len(contacts.forces) * np.diff(edges))
 
 
-def describe(contacts):
+def describe(contacts: Contacts) -> dict[str, float]:
     """Numbers of a distribution, as a dict for JSON."""
     number, carrying = len(contacts.numbers), withoutRattlers(contacts)
     return {'particles': number, 'rattlerShare': 1 - len(carrying.numbers) / number if number else 0.0,
@@ -64,10 +74,10 @@ def describe(contacts):
             'forceSpreadWithoutRattlers': _spread(carrying.forces)}
 
 
-def _mean(values):
+def _mean(values: Floats) -> float:
     return float(np.mean(values)) if len(values) else 0.0
 
 
-def _spread(values):
+def _spread(values: Floats) -> float:
     """Standard deviation over the mean."""
     return float(np.std(values) / np.mean(values)) if len(values) and np.mean(values) > 0 else 0.0

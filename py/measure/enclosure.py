@@ -1,10 +1,20 @@
 """Whether particles are where they should be: inside their container, below the plate."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
 import numpy as np
+
+if TYPE_CHECKING:
+    from ..scene.container import Container
+    from ..typealiases import Floats
+    from .scenesnapshot import SceneSnapshot
+    from .snapshot import Snapshot
 
 LARGEST_PROTRUSION = 0.5  # of a particle's size: with more than that through a wall its centre is outside
 
 
-def protrusions(snapshot, container, top):
+def protrusions(snapshot: SceneSnapshot, container: Container, top: float) -> Floats:
     """How far every particle's centre is outside [m]: (N,), negative inside; the largest distance to base, side walls and the plane z = `top` [m].
 
     :param snapshot: `Snapshot`; :param container: `Container`
@@ -17,7 +27,7 @@ def protrusions(snapshot, container, top):
     return np.maximum.reduce([sideways, -z, z - top])
 
 
-def describe(snapshot, sizes, container, top):
+def describe(snapshot: Snapshot, sizes: Floats, container: Container, top: float) -> dict[str, float]:
     """Dict for JSON: how many particles have their centre outside, how many are outside altogether, the deepest overlap with a wall over size [-].
 
     :param sizes: diameters (N,) of the spheres of their volumes [m]

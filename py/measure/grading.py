@@ -3,10 +3,15 @@
 A particle's size d is the diameter of the sphere of its volume. F(d) is the mass finer than d over the whole mass: a step function of the particles'
 own sizes, without sieves, so that gaps in the sizes are seen as they are.
 """
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike
 
 FINES = 7.4e-5         # m: Hardin's limit between silt and sand; what is finer does not count as breakable
 ULTIMATE_DIMENSION = 2.6  # fractal dimension of the grading that crushing ends in (Einav 2007 takes 2.5 to 2.6)
@@ -16,14 +21,20 @@ GAP_TAIL = 0.01        # of the mass at either end of the grading, in which spar
 FIT_POINTS = 50        # equally spaced in log d
 FIT_LOWEST = 1e-3      # of the mass: below, a grading hangs on single particles
 
-Fractal = namedtuple('Fractal', 'dimension correlation low high')
-Fractal.__doc__ = """Fractal dimension of a grading's tail (see `fractal`) [-], r^2 of the fit [-], between the sizes low and high [m]."""
+
+class Fractal(NamedTuple):
+    """Fractal dimension of a grading's tail (see `fractal`) [-], r^2 of the fit [-], between the sizes low and high [m]."""
+
+    dimension: float
+    correlation: float
+    low: float
+    high: float
 
 
 class Grading:
     """The grading of particles of the sizes `sizes` (N,) [m]; `masses` (N,): any measure of their amount, by default their volumes."""
 
-    def __init__(self, sizes, masses=None):
+    def __init__(self, sizes: ArrayLike, masses: ArrayLike | None = None) -> None:
         sizes = np.asarray(sizes, dtype=float)
         if not len(sizes) or not np.all(sizes > 0):
             raise ValueError('sizes: must be positive, and at least one')
@@ -35,25 +46,25 @@ class Grading:
         self.sums = np.concatenate([[0.0], np.cumsum(self.shares)])
         self.sums[-1] = 1.0
 
-    def finer(self, sizes):
+    def finer(self, sizes: ArrayLike) -> Any:
         """F: share of the mass in particles smaller than `sizes` [m], an array or a number."""
         return self.sums[np.searchsorted(self.sizes, sizes, side='left')]
 
-    def size(self, share):
+    def size(self, share: float) -> float:
         """d_p [m]: the smallest size that, with all smaller ones, makes up at least the `share` p of the mass."""
         index = np.searchsorted(self.sums[1:], share * (1 - 1e-12), side='left')
         return float(self.sizes[min(index, len(self.sizes) - 1)])
 
-    def meanLog(self, floor=0.0):
+    def meanLog(self, floor: float = 0.0) -> float:
         """Mean of ln d over the mass, sizes below `floor` [m] taken as `floor`."""
         return float(np.sum(self.shares * np.log(np.maximum(self.sizes, floor))))
 
-    def uniformity(self):
+    def uniformity(self) -> float:
         """Coefficient of uniformity d60/d10 [-]."""
         return self.size(0.6) / self.size(0.1)
 
 
-def hardin(before, after):
+def hardin(before: Grading, after: Grading) -> float:
     """Relative breakage B_r = B_t/B_p [-] of Hardin, J. Geotech. Eng. 111(10), 1177-1192 (1985).
 
     B_p is the area, over log10 d, between the grading before and the vertical at FINES, B_t that between both gradings. With step functions
@@ -65,7 +76,7 @@ def hardin(before, after):
     return (before.meanLog(FINES) - after.meanLog(FINES)) / potential
 
 
-def einav(before, after, dimension=ULTIMATE_DIMENSION):
+def einav(before: Grading, after: Grading, dimension: float = ULTIMATE_DIMENSION) -> float:
     """Breakage B [-] of Einav, J. Mech. Phys. Solids 55, 1274-1297 (2007): the same area as Hardin's B_t, over that between the grading before
     and the ultimate one F_u = (d/d_max)^(3 - dimension), whose mean of ln d is ln d_max - 1/(3 - dimension)."""
     if not dimension < 3:
@@ -74,7 +85,7 @@ def einav(before, after, dimension=ULTIMATE_DIMENSION):
     return (before.meanLog() - after.meanLog()) / (before.meanLog() - ultimate)
 
 
-def fractal(grading, high, low=None):
+def fractal(grading: Grading, high: float, low: float | None = None) -> Fractal | None:
     """Fractal dimension D of a grading's tail: F ~ d^(3 - D) (Turcotte 1986), by least squares of log F over log d at FIT_POINTS sizes equally
     spaced in log d, from `low` [m] (by default where F reaches FIT_LOWEST) to `high` [m].
 
@@ -93,7 +104,7 @@ def fractal(grading, high, low=None):
     return Fractal(float(3 - slope), correlation, float(low), float(high))
 
 
-def widestGap(grading):
+def widestGap(grading: Grading) -> tuple[float, float, float]:
     """The widest interval of sizes that (nearly) no mass has: (factor in size [-], its lower end [m], its upper end [m]).
 
     Of all intervals with at most GAP_MASS of the mass inside, between the sizes d_p and d_(1-p) of p = GAP_TAIL, the one with the largest ratio of
@@ -113,7 +124,7 @@ def widestGap(grading):
     return float(ratios[widest]), float(sizes[widest]), float(sizes[reach[widest]])
 
 
-def steepestPart(grading):
+def steepestPart(grading: Grading) -> tuple[float, float]:
     """(Largest share of the mass [-] within DECADE_STEP decades of size, where that interval begins [m]): 1 if all are of one size; an
     even grading over k decades has DECADE_STEP/k."""
     ends = np.searchsorted(grading.sizes, grading.sizes * 10 ** DECADE_STEP, side='right')

@@ -1,10 +1,20 @@
 """One moment of a scene, as the arrays that files and pictures are made of."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Self
+
 import numpy as np
 
 from .. import checks
 from ..files import arrayfile
 from ..files.wholefile import ReplacingBytes
 from . import bodyarrays
+
+if TYPE_CHECKING:
+    from ..scene.container import Container
+    from ..typealiases import Floats, PathLike, Rows
+    from .snapshot import Snapshot
 
 
 class SceneSnapshot:
@@ -15,14 +25,14 @@ class SceneSnapshot:
     :raises ValueError: other rows, a step or a time that is none
     """
 
-    def __init__(self, particles, contacts=None, container=None, step=0, time=0.0):
+    def __init__(self, particles: Rows, contacts: Rows | None = None, container: Rows | None = None, step: int = 0, time: float = 0.0) -> None:
         self.particles = _rows('particles', particles, 'PARTICLE')
         self.contacts = _rows('contacts', np.zeros(0, bodyarrays.CONTACT) if contacts is None else contacts, 'CONTACT')
         self.container = _rows('container', np.zeros(0, bodyarrays.BORDER) if container is None else container, 'BORDER')
         self.step, self.time = checks.wholeNumber('step', step, 0), checks.finite('time', time)
 
     @classmethod
-    def ofScene(cls, ids=None):
+    def ofScene(cls, ids: Sequence[int] | None = None) -> Self:
         """The present scene; of the particles only those among the bodies `ids`, and the contacts that they have a part in.
 
         :raises ValueError: a body that is not in the scene
@@ -36,7 +46,7 @@ class SceneSnapshot:
         return cls(particles, contacts, scenearrays.container(), O.iter, O.time)
 
     @classmethod
-    def ofSnapshot(cls, snapshot, container=None):
+    def ofSnapshot(cls, snapshot: Snapshot, container: Container | None = None) -> Self:
         """The particles of a `Snapshot`, at rest and without forces, in a `Container`."""
         rows = np.zeros(len(snapshot), bodyarrays.PARTICLE)
         rows['kind'] = bodyarrays.SUPERQUADRIC
@@ -45,13 +55,13 @@ class SceneSnapshot:
         rows['orientation'] = _quaternions(snapshot.rotations)
         return cls(rows, container=None if container is None else _borders(container))
 
-    def save(self, path):
+    def save(self, path: PathLike) -> None:
         """Write it as one .npz, for `load`."""
         with ReplacingBytes(path) as file:
             np.savez(file, particles=self.particles, contacts=self.contacts, container=self.container, step=self.step, time=self.time)
 
     @classmethod
-    def load(cls, path):
+    def load(cls, path: PathLike) -> Self:
         """The snapshot in the file that `save` wrote.
 
         :raises ValueError: naming the file, which holds something else
@@ -62,15 +72,15 @@ class SceneSnapshot:
         except ValueError as error:
             raise ValueError(f'{path}: damaged ({error})') from None
 
-    def speeds(self):
+    def speeds(self) -> Floats:
         """[m/s], (N,)"""
         return np.linalg.norm(self.particles['velocity'], axis=1)
 
-    def normalForces(self):
+    def normalForces(self) -> Floats:
         """Of the contacts [N], (M,)"""
         return np.linalg.norm(self.contacts['normalForce'], axis=1)
 
-    def largestForces(self):
+    def largestForces(self) -> Floats:
         """Of the contacts of each particle [N], (N,)"""
         result, ids, forces = np.zeros(len(self.particles)), self.particles['id'], self.normalForces()
         if not len(ids):
@@ -82,7 +92,7 @@ class SceneSnapshot:
             np.maximum.at(result, place[here], forces[here])
         return result
 
-    def box(self):
+    def box(self) -> Floats:
         """Lowest and highest corner [m] of a box that holds the particles and what of the container is finite, (2, 3)."""
         half = np.einsum('nij,nj->ni', np.abs(bodyarrays.matrices(self.particles['orientation'])), self.particles['extents'])
         facets = self.container[self.container['kind'] == bodyarrays.FACET]
@@ -92,13 +102,13 @@ class SceneSnapshot:
         return np.array([points.min(axis=0), points.max(axis=0)]) if len(points) else np.zeros((2, 3))
 
 
-def _rows(name, rows, kind):
+def _rows(name: str, rows: Any, kind: str) -> Rows:
     if not (isinstance(rows, np.ndarray) and rows.ndim == 1 and rows.dtype == getattr(bodyarrays, kind)):
         raise ValueError(f'{name}: must be rows of bodyarrays.{kind}')
     return rows
 
 
-def _cylinderBox(cylinder):
+def _cylinderBox(cylinder: Any) -> Floats:
     """Corners (4, 3) [m] of the boxes around the two ends of a hollow cylinder; of an endless one around its middle."""
     radius, height = cylinder['numbers'][:2]
     axis = bodyarrays.matrices(cylinder['orientation'])[:, 2]
@@ -107,7 +117,7 @@ def _cylinderBox(cylinder):
     return cylinder['position'] + np.array([side * along + edge * across for side in (-1, 1) for edge in (-1, 1)])
 
 
-def _borders(container):
+def _borders(container: Container) -> Rows:
     """Rows of BORDER for a `Container`."""
     planes = [(container.baseId, 2, 0.0)]
     if container.radius is None:
@@ -124,7 +134,7 @@ def _borders(container):
     return rows
 
 
-def _quaternions(matrices):
+def _quaternions(matrices: Floats) -> Floats:
     """Unit quaternions (N, 4) as (x, y, z, w) of rotation matrices (N, 3, 3): the eigenvector of the largest eigenvalue of a symmetric
     4x4 matrix, which needs no case (Bar-Itzhack, J. Guid. Control Dyn. 23, 1085 (2000))."""
     m = np.asarray(matrices, dtype=float).reshape(-1, 3, 3)

@@ -1,8 +1,17 @@
 """Where all particles are, as arrays: what the measures and the pictures work on, independent of the scene."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, Self
+
 import numpy as np
 
 from ..files import arrayfile
 from . import bodyarrays
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats, PathLike
+    from .scenesnapshot import SceneSnapshot
 
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
 
@@ -16,15 +25,15 @@ class Snapshot:
 
     ARRAYS = tuple(SHAPES)
 
-    def __init__(self, **arrays):
+    def __init__(self, **arrays: ArrayLike) -> None:
         for name in self.ARRAYS:
             setattr(self, name, np.asarray(arrays[name]))
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.ids)
 
     @classmethod
-    def ofBodies(cls, ids):
+    def ofBodies(cls, ids: Sequence[int] | None) -> Self:
         """Snapshot of the spheres and superquadrics among the bodies `ids` of the scene, in that order (None: all); in a periodic
         scene inside the cell.
 
@@ -35,11 +44,11 @@ class Snapshot:
         return cls(ids=rows['id'].copy(), positions=rows['position'].copy(), rotations=bodyarrays.matrices(rows['orientation']),
                    extents=rows['extents'].copy(), exponents=rows['exponents'].copy())
 
-    def save(self, path):
+    def save(self, path: PathLike) -> None:
         np.savez_compressed(path, **{name: getattr(self, name) for name in self.ARRAYS})
 
     @classmethod
-    def load(cls, path):
+    def load(cls, path: PathLike) -> Self:
         """The snapshot in the file that `save` wrote.
 
         :raises ValueError: naming the file, which holds something else
@@ -50,7 +59,7 @@ class Snapshot:
         return result
 
 
-def gauge(points, extents, exponents):
+def gauge(points: Floats, extents: Floats, exponents: Floats) -> Floats:
     """g = f^(1/n1) of `points` (..., 3) [m] in the particle's own axes: below 1 inside, 1 on the surface."""
     x, y, z = np.moveaxis(np.abs(points) / extents, -1, 0)
     n1, n2 = exponents
@@ -62,12 +71,12 @@ def gauge(points, extents, exponents):
     return largest * (1 + ratio ** n1) ** (1 / n1)
 
 
-def boxHalfHeights(snapshot):
+def boxHalfHeights(snapshot: SceneSnapshot) -> Floats:
     """Half extents (N, 3) [m] of boxes along the scene's axes that hold the particles (of their own boxes: they are
     a little too large)."""
     return np.einsum('nij,nj->ni', np.abs(snapshot.rotations), snapshot.extents)
 
 
-def matrix(orientation):
+def matrix(orientation: Any) -> list[list[float]]:
     matrix = orientation.toRotationMatrix()
     return [[matrix[i, j] for j in range(3)] for i in range(3)]

@@ -1,5 +1,8 @@
 """How much solid is in a part of space: the particles' volumes, those at the border cut exactly."""
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -7,14 +10,24 @@ from .. import checks
 from ..measure.snapshot import Snapshot
 from .regions import Box, Cylinder, HalfSpaces, Mesh
 
+if TYPE_CHECKING:
+    from ..typealiases import Floats
+
+Region = Box | Cylinder | HalfSpaces | Mesh
+
 ACCURACY = 3e-3
 EMPTY = 1e-12  # of the whole: volume of what half spaces leave of a region, when that is nothing but rounding
 
-Measured = namedtuple('Measured', 'value low high')
-Measured.__doc__ = """A measured number with bounds: the true one lies in [low, high]."""
+
+class Measured(NamedTuple):
+    """A measured number with bounds: the true one lies in [low, high]."""
+
+    value: float
+    low: float
+    high: float
 
 
-def solidVolume(particles, region, accuracy=ACCURACY):
+def solidVolume(particles: Snapshot | Sequence[int], region: Region, accuracy: float = ACCURACY) -> Measured:
     """Volume of the particles in a region [m3].
 
     Particles wholly inside count with their closed form. Those at the border are cut, as tessellations that lie in them: the cut volume is at
@@ -32,7 +45,7 @@ def solidVolume(particles, region, accuracy=ACCURACY):
     return Measured(float(value), float(low), float(high))
 
 
-def packingFraction(particles, region, accuracy=ACCURACY):
+def packingFraction(particles: Snapshot | Sequence[int], region: Region, accuracy: float = ACCURACY) -> Measured:
     """Volume of the particles in a region over the region's; parameters as in `solidVolume`.
 
     :returns: `Measured` [-]
@@ -44,13 +57,13 @@ def packingFraction(particles, region, accuracy=ACCURACY):
     return Measured(*(volume / whole for volume in solidVolume(particles, region, accuracy)))
 
 
-def _region(region):
+def _region(region: Any) -> Region:
     if not isinstance(region, (Box, Cylinder, HalfSpaces, Mesh)):
         raise ValueError(f'region = {region!r}: must be a Box, Cylinder, HalfSpaces or Mesh')
     return region
 
 
-def _rows(snapshot):
+def _rows(snapshot: Snapshot) -> Floats:
     """(N, 17) as `MeshFunctions` takes them."""
     number = len(snapshot)
     return np.hstack([snapshot.positions.reshape(number, 3), snapshot.rotations.reshape(number, 9), snapshot.extents.reshape(number, 3),

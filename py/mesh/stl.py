@@ -1,7 +1,12 @@
 """Surfaces of triangles: read from and written to STL files, and put into the scene as containers of facets."""
+from __future__ import annotations
+
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import MeshFunctions
@@ -11,6 +16,9 @@ from ..files.wholefile import ReplacingBytes
 from ..measure.snapshot import Snapshot, matrix
 from ..scene.bodies import rotation
 from .tessellation import tessellation
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats, PathLike
 
 _STL_HEADER = b'yade-superquadric'.ljust(80)
 _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])
@@ -23,11 +31,11 @@ class TriangleMesh:
     triangles: np.ndarray   #: (M, 3) indices of points, counterclockwise seen from where they face
     name: str = 'surface'
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         object.__setattr__(self, 'points', table('points', self.points, np.float64))
         object.__setattr__(self, 'triangles', table('triangles', self.triangles, np.int32))
 
-    def check(self, closed=True):
+    def check(self, closed: bool = True) -> str:
         """'outward', 'inward' or (without `closed`) 'open': how the triangles face.
 
         :raises ValueError: says all that is wrong, how often and where first: numbers that are not finite, triangles without an area, edges with one
@@ -37,7 +45,7 @@ class TriangleMesh:
         return MeshFunctions.check(self.points, self.triangles, self.name, closed)
 
 
-def readStl(path, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity):
+def readStl(path: PathLike, scale: float = 1.0, position: Sequence[float] = (0, 0, 0), orientation: Quaternion = Quaternion.Identity) -> TriangleMesh:
     """The triangles of an STL file, ASCII or binary, in space: x = position + orientation * (scale * x of the file).
 
     :param scale: of the file's unit in metres: 1e-3 where it is millimetres
@@ -51,7 +59,8 @@ def readStl(path, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity
     return TriangleMesh(scale * points @ np.transpose(turn) + position, triangles, path)
 
 
-def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), orientation=Quaternion.Identity, wire=True, color=None):
+def stlContainer(path: PathLike, material: Any, closed: bool = True, scale: float = 1.0, position: Sequence[float] = (0, 0, 0),
+                 orientation: Quaternion = Quaternion.Identity, wire: bool = True, color: Any = None) -> list[int]:
     """Put the triangles of an STL file into the scene as fixed facets that act as one surface.
 
     The facets push particles to the side on which their centres are, so it does not matter which way the triangles face, as long as all face alike.
@@ -70,7 +79,7 @@ def stlContainer(path, material, closed=True, scale=1.0, position=(0, 0, 0), ori
                             for triangle in surface.triangles.tolist()])
 
 
-def writeStl(path, surface):
+def writeStl(path: PathLike, surface: TriangleMesh) -> None:
     """Write a `TriangleMesh` as a binary STL file: single precision, seven digits of each coordinate.
 
     :raises ValueError: coordinates that single precision does not hold, triangles of points that are not there
@@ -84,7 +93,7 @@ def writeStl(path, surface):
         file.write(_STL_HEADER + np.uint32(len(triangles)).tobytes() + triangles.tobytes())
 
 
-def _corners(surface):
+def _corners(surface: Any) -> Floats:
     """Of the triangles (M, 3, 3) [m], which an STL file can hold."""
     if not isinstance(surface, TriangleMesh):
         raise ValueError(f'surface = {surface!r}: must be a TriangleMesh')
@@ -98,7 +107,7 @@ def _corners(surface):
     return corners
 
 
-def particlesToStl(path, ids, error):
+def particlesToStl(path: PathLike, ids: Sequence[int], error: float) -> None:
     """Write the spheres and superquadrics among the bodies `ids` as one STL file: their tessellations within `error` [m], each a closed surface.
 
     :raises ValueError: none of the bodies is a particle, or as `tessellation`; nothing is written then
@@ -115,7 +124,7 @@ def particlesToStl(path, ids, error):
     writeStl(path, TriangleMesh(np.vstack(points), np.vstack(triangles)))
 
 
-def table(name, rows, kind):
+def table(name: str, rows: ArrayLike, kind: type) -> NDArray[Any]:
     """`rows` as an array (N, 3) of the `kind` float64 or int32."""
     try:
         with np.errstate(invalid='ignore'):

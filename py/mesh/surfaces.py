@@ -1,11 +1,17 @@
 """Surfaces of particles and containers as triangles: what is drawn and written to files."""
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Sequence
 from functools import lru_cache
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ..measure import bodyarrays
-from .tessellation import tessellation
+from .tessellation import Tessellation, tessellation
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats, Ints, Rows
 
 DETAIL = 0.02    # default of the largest distance between a particle's surface and its triangles, over its largest half size
 CIRCLE = 96      # corners of a hollow cylinder's section
@@ -13,19 +19,25 @@ MARGIN = 0.05    # by which a plane reaches beyond what it bounds, over that box
 
 UPRIGHT = 1 - 1e-9  # cosine of an axis with another, above which they are the same to rounding
 
-BodySurfaces = namedtuple('BodySurfaces', 'points normals triangles owner')
-BodySurfaces.__doc__ = """The surfaces of many bodies as triangles, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places
-of points, owner (N,): whose row a point belongs to."""
+
+class BodySurfaces(NamedTuple):
+    """The surfaces of many bodies as triangles, for drawing: points [m], unit normals (N, 3), triangles (M, 3) as places
+    of points, owner (N,): whose row a point belongs to."""
+
+    points: Floats
+    normals: Floats
+    triangles: Ints
+    owner: Ints
 
 
 @lru_cache(maxsize=64)
-def _unit(n1, n2, detail):
+def _unit(n1: float, n2: float, detail: float) -> Tessellation:
     """The tessellation of the superquadric with half sizes 1 [m]: all of the same exponents are this one, stretched."""
     from yade.wrapper import Superquadric  # surfaces of containers need no YADE
     return tessellation(Superquadric(extents=(1, 1, 1), n1=n1, n2=n2), detail)
 
 
-def particleSurfaces(particles, detail=DETAIL):
+def particleSurfaces(particles: Rows, detail: ArrayLike = DETAIL) -> BodySurfaces:
     """`BodySurfaces` of all `particles` (rows of PARTICLE): one tessellation for each pair of exponents, stretched, turned and moved.
 
     :param detail: largest distance between the surface and the triangles, over the particle's largest half size; for all, or (N,)
@@ -40,7 +52,7 @@ def particleSurfaces(particles, detail=DETAIL):
     return _joined(parts)
 
 
-def _instances(unit, particles, rows, first):
+def _instances(unit: Tessellation, particles: Rows, rows: Ints, first: int) -> BodySurfaces:
     """`BodySurfaces` of the particles that are all the unit shape stretched; numbers of their points begin with `first`."""
     turns, number = bodyarrays.matrices(particles['orientation']), len(unit.points)
     points = (unit.points[None] * particles['extents'][:, None]) @ np.swapaxes(turns, 1, 2) + particles['position'][:, None]
@@ -50,12 +62,12 @@ def _instances(unit, particles, rows, first):
     return BodySurfaces(points.reshape(-1, 3), (normals @ np.swapaxes(turns, 1, 2)).reshape(-1, 3), triangles.reshape(-1, 3), np.repeat(rows, number))
 
 
-def _joined(parts):
+def _joined(parts: Sequence[BodySurfaces]) -> BodySurfaces:
     empty = BodySurfaces(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 3), dtype=int), np.zeros(0, dtype=int))
     return BodySurfaces(*map(np.concatenate, zip(empty, *parts)))
 
 
-def containerSurfaces(container, box):
+def containerSurfaces(container: Rows, box: Floats) -> BodySurfaces:
     """`BodySurfaces` of the `container` (rows of BORDER), triangles seen from both sides. Planes end where they meet others, or with a
     hollow cylinder that stands on them, or a little beyond the `box` (2, 3) [m]; cylinders without end reach as far as the box.
     """
@@ -74,12 +86,12 @@ def containerSurfaces(container, box):
     return _joined(parts)
 
 
-def _circle():
+def _circle() -> Floats:
     angles = np.linspace(0, 2 * np.pi, CIRCLE, endpoint=False)
     return np.stack([np.cos(angles), np.sin(angles), np.zeros(CIRCLE)], axis=1)
 
 
-def _cylinder(border, box):
+def _cylinder(border: Any, box: Floats) -> tuple[Floats, Floats, Ints]:
     turn, (radius, height) = bodyarrays.matrices(border['orientation']), border['numbers'][:2]
     along = (np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T - border['position']) @ turn[:, 2]
     ends = (-height / 2, height / 2) if np.isfinite(height) else (along.min(), along.max())
@@ -91,7 +103,7 @@ def _cylinder(border, box):
     return points, np.tile(-ring @ turn.T, (2, 1)), triangles
 
 
-def _edges(container, box):
+def _edges(container: Rows, box: Floats) -> tuple[Floats, Floats]:
     """Where planes end, lowest and highest corner (2, 3) [m]: at other planes around the middle of the box, else a little beyond the box."""
     low, high = np.array(box) + MARGIN * np.linalg.norm(box[1] - box[0]) * np.array([[-1], [1]])
     middle = np.mean(box, axis=0)
@@ -105,7 +117,7 @@ def _edges(container, box):
     return low, high
 
 
-def _plane(border, cylinders, edges):
+def _plane(border: Any, cylinders: Rows, edges: tuple[Floats, Floats]) -> tuple[Floats, Floats, Ints]:
     axis, place = int(border['numbers'][0]), border['position']
     normal = np.eye(3)[axis]
     for cylinder in cylinders:

@@ -1,5 +1,8 @@
 """Particles as triangles, for pictures, files and meshes."""
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import Any
 
 import numpy
 
@@ -15,7 +18,7 @@ class Tessellation:
     error: float                #: upper bound of the largest (Hausdorff) distance between the particle's surface and the triangles [m]
 
 
-def tessellation(shape, error):
+def tessellation(shape: Any, error: float) -> Tessellation:
     """A `Superquadric` or `Sphere` as triangles within the distance `error` [m] of its surface; the arrays cannot be written to.
 
     Points are close where the curvature is high; a sphere takes about 5 radius/error of them. ValueError for another shape, for an error that is not

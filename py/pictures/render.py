@@ -3,10 +3,14 @@
     sq.picture('bed.png', sq.SceneSnapshot.ofScene(), colour='speed')
     sq.animation('impact.gif', sq.RecordedSeries('vtk'), chains=True)
 """
+from __future__ import annotations
+
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .. import checks
 from ..files.wholefile import ReplacingBytes, requireFolder
@@ -14,6 +18,13 @@ from ..measure.scenesnapshot import SceneSnapshot
 from ..measure.snapshot import Snapshot
 from .renderer import Renderer
 from .renderpieces import COLOURS, Style, camera, hasScale, pieces
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from PIL.Image import Image
+
+    from ..typealiases import PathLike
 
 DPI = 200              # of pictures; of animations half of it
 TITLE, CAPTION = 11, 9  # pt
@@ -23,7 +34,9 @@ FARTHEST = 1e15        # m from the origin: nothing is drawn there
 FOOT = 0.07            # room for the scale below a view, over its height
 
 
-def picture(path, views, colour='plain', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=-90.0, title='', width=1100):
+def picture(path: PathLike, views: Any, colour: str | None = 'plain', chains: bool = False, cut: bool = False,
+            limits: tuple[float, float] | None = None, chainLimit: float | None = None, elevation: float = 14.0, azimuth: float = -90.0,
+            title: str = '', width: int = 1100) -> None:
     """A PNG of one view or several side by side, in the same scale and colours.
 
     :param views: a `SceneSnapshot` or `Snapshot`, or a list of such or of (caption, such)
@@ -49,8 +62,10 @@ def picture(path, views, colour='plain', chains=False, cut=False, limits=None, c
         figure.savefig(file, format='png', dpi=DPI, metadata={'Software': None})
 
 
-def animation(path, frames, colour='speed', chains=False, cut=False, limits=None, chainLimit=None, elevation=14.0, azimuth=-90.0, title='', width=480,
-              rate=12.0, start=None):
+def animation(path: PathLike, frames: Iterable[SceneSnapshot | Snapshot], colour: str | None = 'speed', chains: bool = False, cut: bool = False,
+              limits: tuple[float, float] | None = None, chainLimit: float | None = None, elevation: float = 14.0, azimuth: float = -90.0,
+              title: str = '', width: int = 480,
+              rate: float = 12.0, start: float | None = None) -> None:
     """A GIF of `frames`, all in the same scale and colours; the caption is the time.
 
     :param frames: a sequence of `SceneSnapshot` or `Snapshot`. Of one that reads each when it is asked for, a `RecordedSeries` for
@@ -74,7 +89,7 @@ def animation(path, frames, colour='speed', chains=False, cut=False, limits=None
         images[0].save(file, format='GIF', save_all=True, append_images=images[1:], duration=10 * round(100 / rate), loop=0, optimize=True)
 
 
-def _withPalette(picture, style):
+def _withPalette(picture: NDArray[Any], style: Style) -> Image:
     """The picture as PIL's, with a palette of its own of 256 colours, in which all of the bars of colours are."""
     from PIL import Image
     height, width = picture.shape[:2]
@@ -83,7 +98,7 @@ def _withPalette(picture, style):
     return Image.fromarray(np.concatenate([picture, *ramps])).quantize(256, dither=Image.Dither.NONE).crop((0, 0, width, height))
 
 
-def _views(views):
+def _views(views: Any) -> list[tuple[str, SceneSnapshot]]:
     """List of (caption, SceneSnapshot)."""
     if isinstance(views, (SceneSnapshot, Snapshot)):
         views = [views]
@@ -98,7 +113,7 @@ def _views(views):
     return [(_text('views', caption), _sceneSnapshot('views', view)) for caption, view in views]
 
 
-def _sceneSnapshot(name, view):
+def _sceneSnapshot(name: str, view: Any) -> SceneSnapshot:
     """A `SceneSnapshot` that can be drawn."""
     if not isinstance(view, (SceneSnapshot, Snapshot)):
         raise ValueError(f'{name} = {view!r}: is no SceneSnapshot and no Snapshot')
@@ -110,7 +125,7 @@ def _sceneSnapshot(name, view):
     return snapshot
 
 
-def _text(name, value):
+def _text(name: str, value: Any) -> str:
     """A text that matplotlib can write: what stands between two dollars is a formula to it."""
     from matplotlib import cbook, mathtext
     if cbook.is_math_text(checks.text(name, value)):
@@ -121,7 +136,7 @@ def _text(name, value):
     return value
 
 
-def _sequence(frames):
+def _sequence(frames: Any) -> Sequence[Any]:
     """`frames` as they are if they can be read twice, else as a list."""
     if isinstance(frames, (SceneSnapshot, Snapshot)) or not isinstance(frames, Iterable):
         raise ValueError('frames: must be a sequence of SceneSnapshot or Snapshot')
@@ -131,7 +146,7 @@ def _sequence(frames):
     return frames
 
 
-def _style(frames, colour, chains, cut, limits, chainLimit):
+def _style(frames: Iterable[SceneSnapshot], colour: Any, chains: Any, cut: Any, limits: Any, chainLimit: Any) -> Style:
     checks.oneOf('colour', colour, (*COLOURS, None))
     if limits is not None:
         limits = _limits(limits, colour)
@@ -139,7 +154,7 @@ def _style(frames, colour, chains, cut, limits, chainLimit):
                     None if chainLimit is None else checks.positive('chainLimit', chainLimit))
 
 
-def _limits(limits, colour):
+def _limits(limits: Any, colour: str | None) -> tuple[float, float]:
     if not hasScale(colour):
         raise ValueError(f'limits = {limits!r}: colour = {colour!r} stands for no numbers')
     try:
@@ -152,7 +167,7 @@ def _limits(limits, colour):
     return low, high
 
 
-def _eye(frames, style, elevation, azimuth, width):
+def _eye(frames: Sequence[SceneSnapshot], style: Style, elevation: Any, azimuth: Any, width: Any) -> tuple[dict[str, Any], tuple[int, int]]:
     """Camera that sees all `frames`, and the size of the picture."""
     width = checks.wholeNumber('width', width, LOWEST, HIGHEST)
     eye, shape = camera(frames, style, np.radians(checks.within('elevation', elevation, -90, 90)), np.radians(checks.finite('azimuth', azimuth)))
@@ -160,17 +175,17 @@ def _eye(frames, style, elevation, azimuth, width):
     return {**eye, 'height': max(eye['height'], eye['height'] / shape * height / width)}, (width, height)  # a flat scene keeps its sides
 
 
-def _checkPath(path, ending):
+def _checkPath(path: PathLike, ending: str) -> None:
     if os.path.splitext(checks.path('path', path))[1].lower() != ending:
         raise ValueError(f'path = {path!r}: must end in {ending}')
     requireFolder(path)
 
 
-def _clock(seconds):
+def _clock(seconds: float) -> str:
     return f'{1e3 * seconds:.2f} ms' if abs(seconds) < 1 else f'{seconds:.3f} s'
 
 
-def _compose(images, captions, style, title, eye, dpi):
+def _compose(images: Sequence[NDArray[Any]], captions: Sequence[str], style: Style, title: str, eye: Mapping[str, Any], dpi: int) -> Figure:
     """Figure of the images side by side with captions, a scale, and a bar for each kind of colours."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
@@ -191,7 +206,7 @@ def _compose(images, captions, style, title, eye, dpi):
     return figure
 
 
-def _drawScale(axes, pixel, shape):
+def _drawScale(axes: Axes, pixel: float, shape: tuple[int, ...]) -> None:
     """A bar of 1, 2 or 5 times a power of ten below the picture, about a sixth as wide; `pixel`: what one shows [m]."""
     target = shape[1] * pixel / 6
     power = 10 ** np.floor(np.log10(target))
@@ -201,7 +216,7 @@ def _drawScale(axes, pixel, shape):
     axes.text(left + length / pixel + 0.01 * shape[1], low, f'{1e3 * length:g} mm', va='center', fontsize=CAPTION - 2, color='#30343a')
 
 
-def _pixels(figure, dpi):
+def _pixels(figure: Figure, dpi: int) -> NDArray[Any]:
     figure.set_dpi(dpi)
     figure.canvas.draw()
     return np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()

@@ -1,11 +1,17 @@
 """Drawing off-screen: the process that does it, with a screen in memory of its own (Xvfb), so that no display and no graphics card are needed."""
+from __future__ import annotations
+
 import os
 import pickle
 import shutil
 import subprocess
 import sys
 import tempfile
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from typing import Any, NoReturn, Self
+
+from numpy.typing import NDArray
 
 PROGRAM = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'renderprocess.py')
 SCREEN = ('Xvfb', '-screen', '0', '64x64x24', '-nolisten', 'tcp', '-noreset')
@@ -13,7 +19,7 @@ GRACE = 10  # s that a process has to end, before it is made to
 HINT = 'install python3-pyvista, python3-pil, xvfb, util-linux and libgl1-mesa-dri, or start with tools/env --with view'
 
 
-def missing():
+def missing() -> str | None:
     """What there is not, but is needed for drawing, in one sentence; None where all is there."""
     from importlib.util import find_spec
     lacking = [name for name in ('pyvista', 'PIL') if not find_spec(name)] + [name for name in ('Xvfb', 'setpriv') if not shutil.which(name)]
@@ -29,7 +35,7 @@ class Renderer:
     :raises ImportError: a package is missing (see `missing`)
     """
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         problem = missing()
         if problem:
             raise ImportError(problem)
@@ -42,7 +48,7 @@ class Renderer:
             raise
         return self
 
-    def _openScreen(self):
+    def _openScreen(self) -> Any:
         """Start the X server; its display's number."""
         reading, writing = os.pipe()
         with os.fdopen(reading) as answer:
@@ -57,7 +63,7 @@ class Renderer:
             self._fail('Xvfb did not start')
         return number
 
-    def _start(self, number):
+    def _start(self, number: Any) -> None:
         """Start the drawing process on the display of that number."""
         environment = {**os.environ, 'DISPLAY': f':{number}', 'LIBGL_ALWAYS_SOFTWARE': '1'}
         for name in ('WAYLAND_DISPLAY', 'PYTHONPATH', 'XAUTHORITY'):
@@ -66,7 +72,7 @@ class Renderer:
         self._process = subprocess.Popen([sys.executable, '-P', PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self._errors,
                                          env=environment, start_new_session=True)
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: Any) -> None:
         for process in (self._process, self._screen):
             if process is not None:
                 process.terminate()
@@ -77,7 +83,7 @@ class Renderer:
                 self._process.stdin.close()
         self._errors.close()
 
-    def draw(self, pieces, camera, size, background='white'):
+    def draw(self, pieces: Sequence[dict[str, Any]], camera: Mapping[str, Any], size: tuple[int, int], background: str = 'white') -> NDArray[Any]:
         """The picture as an array (height, width, 3) of bytes.
 
         :param pieces: list of dicts: points (N, 3) [m] with triangles (M, 3) and normals (N, 3), or with lines (M, 2) and radii (N,) [m] of
@@ -94,12 +100,12 @@ class Renderer:
             _wait(self._process)
             self._fail(f'the drawing process ended with status {self._process.returncode}')
 
-    def _fail(self, what):
+    def _fail(self, what: str) -> NoReturn:
         self._errors.seek(0)
         raise RuntimeError(f'{what}: {self._errors.read().decode(errors="replace")[-2000:]}')
 
 
-def _wait(process):
+def _wait(process: Any) -> None:
     """Until the process, which is about to end, has ended; one that does not is killed."""
     try:
         process.wait(GRACE)

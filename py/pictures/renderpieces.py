@@ -1,9 +1,18 @@
 """What a snapshot looks like: triangles and tubes with their colours, and where to look from."""
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Self, TypeAlias
+
 import numpy as np
+from numpy.typing import NDArray
 
 from ..measure import bodyarrays
 from ..measure.scenesnapshot import SceneSnapshot
-from ..mesh.surfaces import UPRIGHT, containerSurfaces, particleSurfaces
+from ..mesh.surfaces import UPRIGHT, BodySurfaces, containerSurfaces, particleSurfaces
+from ..typealiases import Bools, Floats, Rows
+
+Plane: TypeAlias = tuple[Floats, Floats]  # a point [m] and the normal
 
 SAND, STEEL = np.array([0.87, 0.72, 0.46]), np.array([0.52, 0.57, 0.66])
 KINDS = np.array([(0.9, 0.62, 0), (0.34, 0.71, 0.91), (0, 0.62, 0.45), (0.8, 0.47, 0.65), (0.94, 0.89, 0.26), (0, 0.45, 0.7)])  # Okabe & Ito
@@ -31,7 +40,7 @@ COLOURS = {
 CHAIN_LABEL = 'normal force of contacts [N]'
 
 
-def hasScale(colour):
+def hasScale(colour: str | None) -> bool:
     """Whether the colour stands for numbers."""
     return colour is not None and COLOURS[colour] is not None
 
@@ -43,12 +52,14 @@ class Style:
     :ivar kinds: shapes (M, 4); :ivar box: around the particles of all snapshots (2, 3) [m]
     """
 
-    def __init__(self, colour, chains, cut, limits, chainLimit, thickest, kinds, box):
+    def __init__(self, colour: str | None, chains: bool, cut: bool, limits: tuple[float, float] | None, chainLimit: float | None, thickest: float,
+                 kinds: Floats, box: Floats) -> None:
         self.colour, self.chains, self.cut = colour, chains, cut
         self.limits, self.chainLimit, self.thickest, self.kinds, self.box = limits, chainLimit, thickest, kinds, box
 
     @classmethod
-    def of(cls, snapshots, colour, chains, cut, limits, chainLimit):
+    def of(cls, snapshots: Iterable[SceneSnapshot], colour: str | None, chains: bool, cut: bool, limits: tuple[float, float] | None,
+           chainLimit: float | None) -> Self:
         """The style of `snapshots`, each of which is looked at once."""
         values, strongest, sizes, kinds, boxes = [], [], [], np.zeros((0, 4)), []
         for snapshot in snapshots:
@@ -69,7 +80,7 @@ class Style:
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
         return cls(colour, chains, cut, limits, chainLimit, THICKEST * min(sizes, default=0.0), kinds, box)
 
-    def bars(self):
+    def bars(self) -> list[tuple[Any, str]]:
         """List of (matplotlib's ScalarMappable, label)."""
         from matplotlib.cm import ScalarMappable
         result = []
@@ -79,7 +90,7 @@ class Style:
             result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
         return result
 
-    def colours(self, snapshot):
+    def colours(self, snapshot: SceneSnapshot) -> NDArray[Any]:
         """Of the particles, (N, 3) bytes."""
         if self.colour == 'plain':
             return _bytes(np.tile(MIST, (len(snapshot.particles), 1)) if self.chains else _plain(snapshot.particles))
@@ -92,7 +103,7 @@ class Style:
         return mappable.to_rgba(factor * values(snapshot), bytes=True)[:, :3]
 
 
-def pieces(snapshot, style, eye, size):
+def pieces(snapshot: SceneSnapshot, style: Style, eye: Mapping[str, Any], size: tuple[int, int]) -> list[dict[str, Any]]:
     """What `Renderer.draw` takes: container, particles, force chains of the `snapshot`, for a picture of `size` pixels."""
     result, container = [], _container(snapshot, style)
     plane = _cutPlane(style, snapshot, eye['direction'])
@@ -110,7 +121,7 @@ def pieces(snapshot, style, eye, size):
     return result
 
 
-def _cutPlane(style, snapshot, direction):
+def _cutPlane(style: Style, snapshot: SceneSnapshot, direction: Floats) -> Plane | None:
     """(point, normal) of the upright plane through the middle of the container or the particles; None without `cut`."""
     if not style.cut:
         return None
@@ -119,7 +130,7 @@ def _cutPlane(style, snapshot, direction):
     return box.mean(axis=0), _horizontal(direction)
 
 
-def _kept(particles, plane):
+def _kept(particles: Rows, plane: Plane | None) -> Bools:
     """Which particles lie behind the plane (None: all), or are so large that the picture would miss them."""
     if plane is None or not len(particles):
         return np.ones(len(particles), dtype=bool)
@@ -129,13 +140,13 @@ def _kept(particles, plane):
     return ((particles['position'] - plane[0]) @ plane[1] > 0) | (sizes > LARGE * median)
 
 
-def _details(particles, pixel):
+def _details(particles: Rows, pixel: float) -> Floats:
     """Of each particle, see `particleSurfaces`; `pixel`: what one shows [m]. In powers of two, so that few tessellations serve all."""
     asked = FINENESS * pixel / particles['extents'].max(axis=1)
     return np.clip(2.0 ** np.floor(np.log2(asked)), *DETAILS)
 
 
-def _chains(snapshot, style, plane):
+def _chains(snapshot: SceneSnapshot, style: Style, plane: Plane | None) -> list[dict[str, Any]]:
     """Tubes from centre to centre, of a section in proportion to the force."""
     forces, rows = snapshot.normalForces(), snapshot.contacts
     strong = forces > WEAK * style.chainLimit
@@ -149,7 +160,7 @@ def _chains(snapshot, style, plane):
                  colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]
 
 
-def camera(snapshots, style, elevation, azimuth):
+def camera(snapshots: Sequence[SceneSnapshot], style: Style, elevation: float, azimuth: float) -> tuple[dict[str, Any], float]:
     """Camera (see `Renderer.draw`) that sees all between the `snapshots`, the first one and the last, and height over width of its picture.
 
     :param elevation, azimuth: of the viewer, above the horizontal and around z from +x, counterclockwise seen from above [rad]
@@ -167,16 +178,16 @@ def camera(snapshots, style, elevation, azimuth):
     return dict(centre=centre, direction=direction, up=up, height=height), height / width
 
 
-def _boxCorners(box):
+def _boxCorners(box: Floats) -> Floats:
     return np.array(np.meshgrid(*np.transpose(box))).reshape(3, -1).T
 
 
-def _particleBox(snapshot):
+def _particleBox(snapshot: SceneSnapshot) -> Floats:
     """Box around the particles alone, (2, 3) [m]; without any, around the container."""
     return SceneSnapshot(snapshot.particles).box() if len(snapshot.particles) else snapshot.box()
 
 
-def _container(snapshot, style):
+def _container(snapshot: SceneSnapshot, style: Style) -> BodySurfaces:
     """`BodySurfaces` of the container; standing cylinders end a little above the particles: what is empty needs no room in a picture."""
     rows, (low, high) = snapshot.container.copy(), style.box[:, 2]
     for row in np.flatnonzero(rows['kind'] == bodyarrays.CYLINDER) if len(snapshot.particles) else ():
@@ -188,12 +199,12 @@ def _container(snapshot, style):
     return containerSurfaces(rows, style.box)
 
 
-def _horizontal(direction):
+def _horizontal(direction: Floats) -> Floats:
     flat = np.array([direction[0], direction[1], 0.0])
     return flat / np.linalg.norm(flat) if np.linalg.norm(flat) > 1e-9 else np.asarray(direction)
 
 
-def _plain(rows):
+def _plain(rows: Rows) -> Floats:
     """Sand of slightly different tints; what is of another material than most is steel."""
     tint = 0.82 + 0.18 * ((rows['id'] * 0.618034) % 1)
     colours = tint[:, None] * SAND
@@ -203,27 +214,27 @@ def _plain(rows):
     return colours
 
 
-def _shapes(snapshot):
+def _shapes(snapshot: SceneSnapshot) -> Floats:
     """Proportions and exponents (N, 4), rounded: what a kind of particle has in common."""
     rows = snapshot.particles
     return np.round(np.column_stack([rows['extents'][:, 1:] / rows['extents'][:, :1], rows['exponents']]), 3)
 
 
-def _norm(limits):
+def _norm(limits: tuple[float, float]) -> Any:
     from matplotlib.colors import Normalize
     low, high = limits
     return Normalize(low, high if high > low else low + 1)
 
 
-def _chainColours():
+def _chainColours() -> Any:
     from matplotlib import colormaps
     from matplotlib.colors import ListedColormap
     return ListedColormap(colormaps['inferno_r'](np.linspace(0.14, 0.95, 256)))  # without what is lost on white
 
 
-def _bytes(colours):
+def _bytes(colours: Floats) -> NDArray[Any]:
     return np.round(255 * np.clip(colours, 0, 1)).astype('u1')
 
 
-def _quantile(values, share):
+def _quantile(values: Floats, share: float) -> float:
     return float(np.quantile(values, share)) if len(values) else 0.0

@@ -3,9 +3,13 @@
 Jobs come in by standard input, pickled one after the other, pictures go out by standard output: arrays (height, width, 3) of bytes. A failure of the
 graphics library so never takes a computation with it.
 """
+from __future__ import annotations
+
 import os
 import pickle
 import sys
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import pyvista
@@ -14,7 +18,7 @@ import pyvista
 LIGHTS = (((-0.5, 0.55, 1.0), 0.85), ((0.9, 0.1, 0.6), 0.28), ((0.0, -0.6, 0.4), 0.12))
 
 
-def draw(job):
+def draw(job: Mapping[str, Any]) -> Any:
     """The picture of a job: {'size', 'camera', 'background', 'pieces'}, see `render`."""
     plotter = pyvista.Plotter(off_screen=True, window_size=job['size'], lighting='none')
     plotter.background_color = job['background']
@@ -30,7 +34,7 @@ def draw(job):
     return np.ascontiguousarray(picture[..., :3])
 
 
-def _mesh(piece):
+def _mesh(piece: Mapping[str, Any]) -> Any:
     """PolyData of triangles with their normals, or of tubes of their own radius each."""
     corners = piece['triangles'] if 'triangles' in piece else piece['lines']
     cells = np.insert(corners, 0, corners.shape[1], axis=1).ravel()
@@ -45,17 +49,17 @@ def _mesh(piece):
     return mesh.tube(scalars='radius', absolute=True, n_sides=12, capping=True)
 
 
-def _coloured(mesh, piece):
+def _coloured(mesh: Any, piece: dict[str, Any]) -> Any:
     if 'colours' in piece:
         mesh.point_data['colour'] = piece['colours']
     return mesh
 
 
-def _colour(piece):
+def _colour(piece: Mapping[str, Any]) -> dict[str, Any]:
     return dict(scalars='colour', rgb=True) if 'colours' in piece else dict(color=piece['colour'])
 
 
-def _look(plotter, centre, direction, up, height):
+def _look(plotter: Any, centre: Any, direction: Any, up: Any, height: float) -> None:
     """A camera without perspective that looks along `direction` at the `centre`, of which it sees so much height [m]; lights go with it."""
     direction, up = np.asarray(direction) / np.linalg.norm(direction), np.asarray(up)
     camera = plotter.camera
@@ -70,7 +74,7 @@ def _look(plotter, centre, direction, up, height):
     plotter.renderer.reset_camera_clipping_range()
 
 
-def main():
+def main() -> None:
     # What the libraries print must not get between the pictures.
     answers = os.fdopen(os.dup(1), 'wb')
     os.dup2(2, 1)

@@ -1,8 +1,11 @@
 """SnapshotSequence of a run at equal times, on disk so that they survive an interruption: for the pictures at its end."""
+from __future__ import annotations
+
 import os
 import re
 from collections.abc import Sequence
 from contextlib import suppress
+from typing import Any
 
 from yade import O
 
@@ -21,7 +24,7 @@ class SnapshotRecorder:
     :param start: time of the first snapshot; :param period: from one to the next [s]
     """
 
-    def __init__(self, folder, series, start, period):
+    def __init__(self, folder: str | None, series: str | None, start: float, period: float) -> None:
         self.folder, self.series, self.start, self.period = folder, series, start, period
         for path in filter(None, (folder, series)):
             os.makedirs(path, exist_ok=True)
@@ -29,7 +32,7 @@ class SnapshotRecorder:
             if number > self._number(O.time - O.dt / 2):
                 os.remove(_path(folder, number))
 
-    def sample(self):
+    def sample(self) -> None:
         """Take a snapshot if the last step went past the time of one."""
         middle = O.time - O.dt / 2  # of the step: away from the snapshots' times, so that rounding decides nothing
         number = self._number(middle)
@@ -40,10 +43,10 @@ class SnapshotRecorder:
         if self.series is not None:
             recorder.record(self.series)
 
-    def _number(self, time):
+    def _number(self, time: float) -> int:
         return int((time - self.start) // self.period)
 
-    def snapshots(self):
+    def snapshots(self) -> SnapshotSequence:
         """The `SnapshotSequence` so far; empty if the first ones were not taken."""
         numbers = [] if self.folder is None else _numbers(self.folder)
         return SnapshotSequence(self.folder, self.period, numbers if numbers[:1] == [0] else [])
@@ -55,20 +58,20 @@ class SnapshotSequence(Sequence):
     :ivar times: when they were taken, to a time step [s]; from the first one
     """
 
-    def __init__(self, folder, period, numbers):
+    def __init__(self, folder: str | None, period: float, numbers: Sequence[int]) -> None:
         self.folder, self.period, self.numbers = folder, period, numbers
         self.times = [number * period for number in numbers]
 
-    def __len__(self):
+    def __len__(self) -> int:
         return len(self.numbers)
 
-    def __getitem__(self, place):
+    def __getitem__(self, place: Any) -> Any:
         if isinstance(place, slice):
             return SnapshotSequence(self.folder, self.period, self.numbers[place])
         return SceneSnapshot.load(_path(self.folder, self.numbers[place]))
 
 
-def removeSnapshots(folder):
+def removeSnapshots(folder: str) -> None:
     """Remove the snapshots in a folder, and the folder if nothing else is in it."""
     if os.path.isdir(folder):
         for name in os.listdir(folder):
@@ -78,11 +81,11 @@ def removeSnapshots(folder):
             os.rmdir(folder)
 
 
-def _numbers(folder):
+def _numbers(folder: str) -> list[int]:
     return sorted(int(found[1]) for found in map(NAME.fullmatch, os.listdir(folder)) if found)
 
 
-def _path(folder, number):
+def _path(folder: str, number: int) -> str:
     return os.path.join(folder, f'{number:06d}.npz')
 
 

@@ -4,9 +4,14 @@
 
 gives it an X server in memory (the package xvfb; `tools/env --with view` has it).
 """
+from __future__ import annotations
+
 import math
+from collections.abc import Sequence
+from typing import Any
 
 import numpy
+from numpy.typing import NDArray
 
 from .. import checks
 from ..renamed import oldNames
@@ -15,7 +20,7 @@ LARGEST = 16384  # pixels of a window's side: no screen has more
 SCENE = 5  # what lies farther behind or before the aim than so many of its radii is cut off by the camera
 
 
-def openView(size=(800, 800)):
+def openView(size: tuple[int, int] = (800, 800)) -> Any:
     """YADE's 3D view, a `yade.qt.GLViewer` of `size` (width, height) in pixels; the one that is open already, or a new one.
 
     :raises ValueError: a bad size; ImportError: YADE was started without a display
@@ -31,7 +36,7 @@ def openView(size=(800, 800)):
     return view
 
 
-def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
+def aim(view: Any, center: Sequence[float], radius: float, azimuth: float = -60, elevation: float = 25, orthographic: bool = False) -> None:
     """Turn the camera to the sphere about `center` [m] of `radius` [m], and fit it into the window.
 
     :param azimuth, elevation: where the camera stands, as in `picture`: around z from +x, counterclockwise seen from above, and above the horizontal
@@ -49,7 +54,7 @@ def aim(view, center, radius, azimuth=-60, elevation=25, orthographic=False):
     view.fitSphere(center, radius)
 
 
-def grabImage():
+def grabImage() -> NDArray[Any]:
     """The open view as it is now, drawn at once; (height, width, 3) uint8. RuntimeError when none is open."""
     image = _window().grabFramebuffer()
     image = image.convertToFormat(image.Format_RGB888)
@@ -57,7 +62,7 @@ def grabImage():
     return rows[:, :3 * image.width()].reshape(image.height(), image.width(), 3).copy()
 
 
-def _window():
+def _window() -> Any:
     from PyQt5.QtWidgets import QApplication
     for widget in QApplication.topLevelWidgets():
         if widget.inherits('yade::GLViewer'):

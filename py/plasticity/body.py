@@ -3,11 +3,19 @@
 Elements are quadrangles of eight nodes with 2 x 2 integration points, the usual choice for plastic flow without change of volume (no
 locking), and a fan of quadratic triangles about the point of contact. The far end is held.
 """
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import getfem
 import numpy
 from scipy import sparse
 
 from . import mesh as meshes
+
+if TYPE_CHECKING:
+    from ..typealiases import Floats, Ints
+    from .returnmapping import Material, State
 
 STRAIN = '[Grad_{0}(1,1), Grad_{0}(2,2), {0}(1)/X(1), Grad_{0}(1,2) + Grad_{0}(2,1)]'   # rr, zz, tt, rz
 ON_RING = 1e-9   # of the distance from the contact point: nodes of the mesh are where they were put, up to rounding
@@ -29,7 +37,7 @@ class Body:
     :ivar state: returnmapping.State at the last accepted load
     """
 
-    def __init__(self, radius, surface, sectors, material):
+    def __init__(self, radius: float, surface: Floats, sectors: int, material: Material) -> None:
         self.radius, self.surface, self.material = radius, surface, material
         self._build(*meshes.nodes(radius, surface, sectors))
         self._places = self._fem.basic_dof_nodes()
@@ -39,7 +47,7 @@ class Body:
         self.state = material.virgin(self._data.nbpts())
         self.elastic = self.internal(numpy.zeros(self.size))[1]
 
-    def _build(self, r, z):
+    def _build(self, r: Floats, z: Floats) -> None:
         mesh = getfem.Mesh('empty', 2)
         rings, lines = r.shape
         for j in range(lines - 1):
@@ -61,7 +69,7 @@ class Body:
         self._model.add_im_data('stress', self._data)
         self._model.add_im_data('tangent', getfem.MeshImData(self._integration, -1, [4, 4]))
 
-    def _freeDegrees(self):
+    def _freeDegrees(self) -> Ints:
         """Degrees of freedom that are not held: all but those of the far end, and the radial ones on the axis."""
         r, z = self._places
         component = numpy.arange(self.size) % 2
@@ -72,7 +80,7 @@ class Body:
         held = numpy.hypot(r, z) > far - 0.2 * (far - lastButOne)
         return numpy.nonzero(~(held | ((component == 0) & (r < ON_RING * far))))[0]
 
-    def _surfaceDegrees(self):
+    def _surfaceDegrees(self) -> Ints:
         """Normal degrees of freedom on the surface, from the axis outwards: corner, middle, corner, ... (2 m + 1,)."""
         corners = numpy.concatenate(([0], self.surface))
         r = numpy.empty(2 * len(corners) - 1)
@@ -88,12 +96,12 @@ class Body:
             assert distances[found[-1]] <= ON_RING * max(point[0], self.surface[0])
         return 2 * numpy.array(found) + 1
 
-    def strain(self, displacement):
+    def strain(self, displacement: Floats) -> Floats:
         """Strain rows (points, 4) at the integration points."""
         self._model.set_variable('u', displacement)
         return self._model.interpolation(STRAIN.format('u'), self._data).reshape(-1, 4)
 
-    def internal(self, displacement):
+    def internal(self, displacement: Floats) -> tuple[Floats, Any, State]:
         """Internal forces [N] (size,), their derivative [N/m] (sparse), and the State that `displacement` would lead to."""
         stress, tangent, state = self.material.respond(self.strain(displacement), self.state)
         self._model.set_variable('stress', stress.ravel())

@@ -4,13 +4,21 @@ The bodies meet where they have the same r, as displacements are small. Pressure
 points an element, so that there are no more conditions than displacements that can meet them. What they overlap is far below the
 approach, and taken off it.
 """
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 from scipy import sparse
 from scipy.sparse.linalg import splu
 
 from . import hertz, mesh
+
+if TYPE_CHECKING:
+    from ..typealiases import Floats
+    from .body import Body
+    from .returnmapping import State
 
 TOLERANCE = 1e-6            # of the residual's largest component over the largest contact force before
 ITERATIONS = 25             # of Newton's method, before the step is halved
@@ -21,16 +29,31 @@ EDGE_POINTS = 4             # outside the contact, that tell where it ends
 STIFFNESS = 3e3             # of the contact, in E*/(largest half-width): penetration below 0.4 % of the approach
 GAUSS = 1 / numpy.sqrt(3)   # points of Gauss's rule on [-1, 1]
 
-Load = namedtuple('Load', 'approach overlap force halfWidth penetration')
-Load.__doc__ = """A state of equilibrium.
 
-approach: of the far ends [m]; overlap: the same for bodies that go on without end and do not penetrate, as Hertz's [m]; force [N];
-halfWidth: radius of the disc of contact [m]; penetration: mean, weighted by the pressure [m].
-"""
+class Load(NamedTuple):
+    """A state of equilibrium.
 
-System = namedtuple('System', 'residuals matrices spring states force error')
-System.__doc__ = """What trial displacements bring about: of each body the residual forces [N], the stiffness [N/m] and the State they would lead
-to; the stiffness of the points of contact [N/m]; the contact force [N]; the largest residual over the contact force."""
+    approach: of the far ends [m]; overlap: the same for bodies that go on without end and do not penetrate, as Hertz's [m]; force [N];
+    halfWidth: radius of the disc of contact [m]; penetration: mean, weighted by the pressure [m].
+    """
+
+    approach: float
+    overlap: float
+    force: float
+    halfWidth: float
+    penetration: float
+
+
+class System(NamedTuple):
+    """What trial displacements bring about: of each body the residual forces [N], the stiffness [N/m] and the State they would lead
+    to; the stiffness of the points of contact [N/m]; the contact force [N]; the largest residual over the contact force."""
+
+    residuals: list[Floats]
+    matrices: list[Any]
+    spring: Floats
+    states: list[State]
+    force: float
+    error: float
 
 
 class NotConverged(Exception):
@@ -44,7 +67,7 @@ class Interface:
     :ivar interpolations: for each body the sparse matrix from its displacement to the normal one at the points
     """
 
-    def __init__(self, bodies, reach):
+    def __init__(self, bodies: Sequence[Body], reach: float) -> None:
         corners = numpy.concatenate(([0], bodies[0].surface))
         corners = corners[:numpy.searchsorted(corners, reach) + 1]
         half, middle = numpy.diff(corners) / 2, (corners[1:] + corners[:-1]) / 2
@@ -71,7 +94,7 @@ class Contact:
     :ivar failures: how often Newton's method failed and the step was halved
     """
 
-    def __init__(self, bodies, reach, young, poisson):
+    def __init__(self, bodies: Sequence[Body], reach: float, young: float, poisson: float) -> None:
         self.bodies, self.copies = bodies, 3 - len(bodies)
         self.young, self.poisson = young, poisson
         self.modulus = hertz.effectiveModulus(young, poisson)
@@ -83,7 +106,7 @@ class Contact:
         self._last = self.approach, self.displacements   # the equilibrium before
         self.compliance = self._farCompliance(reach / 3)
 
-    def _farCompliance(self, width):
+    def _farCompliance(self, width: float) -> float:
         """What the cut-off far ends would give way [m/N]: a half-space's displacement minus the body's, both elastic and under the same
         pressure of unit force, exp(-(r/width)^2). As long as the loaded place is small it hardly matters how the load is spread there."""
         pressure = numpy.exp(-(self.interface.r / width)**2)
@@ -95,7 +118,7 @@ class Contact:
             total += hertz.meanDisplacement(self.young, self.poisson, width) - load[body.free] @ displacement
         return self.copies * total
 
-    def press(self, approach):
+    def press(self, approach: float) -> Load:
         """Move the far ends to `approach` [m] and find the equilibrium, in halved steps where needed. Returns the Load.
 
         :raises NotConverged: also the smallest step failed; the bodies stay at the last equilibrium
@@ -113,7 +136,7 @@ class Contact:
                     raise
         return self.load()
 
-    def load(self):
+    def load(self) -> Load:
         """The Load of the present equilibrium."""
         pressure = self._pressure(self.displacements, self.approach)
         force = float(self.interface.weights @ pressure)
@@ -121,14 +144,14 @@ class Contact:
         overlap = self.approach + self.compliance * force - penetration
         return Load(float(self.approach), overlap, force, self._halfWidth(pressure), penetration)
 
-    def _pressure(self, displacements, approach):
+    def _pressure(self, displacements: Sequence[Floats], approach: float) -> Floats:
         return self.stiffness * numpy.maximum(0, -self._gap(displacements, approach))
 
-    def _gap(self, displacements, approach):
+    def _gap(self, displacements: Sequence[Floats], approach: float) -> Floats:
         surface = sum(interpolation @ displacement for interpolation, displacement in zip(self.interface.interpolations, displacements))
         return self.gap + self.copies * surface - approach
 
-    def _halfWidth(self, pressure):
+    def _halfWidth(self, pressure: Floats) -> float:
         """Radius of the disc of contact: where the gap outside begins. Near the edge its power 2/3 rises along a straight line over r^2, as
         Hertz's does; the points of contact themselves only tell in which element the edge is."""
         touching = numpy.nonzero(pressure)[0]
@@ -139,7 +162,7 @@ class Contact:
         slope, start = numpy.polyfit(self.interface.r[outside]**2, gap**(2 / 3), 1)
         return float(numpy.sqrt(max(0.0, -start / slope))) if slope > 0 else float(self.interface.r[touching[-1]])
 
-    def _solve(self, approach):
+    def _solve(self, approach: float) -> None:
         """Newton's method, with shorter steps where a full one makes the residual grow; accepts the equilibrium it finds."""
         displacements = self._guess(approach)
         system = self._system(displacements, approach)
@@ -153,7 +176,7 @@ class Contact:
             displacements, system = self._step(displacements, system, direction, approach)
         raise NotConverged(f'no equilibrium at an approach of {approach} m after {ITERATIONS} iterations')
 
-    def _step(self, displacements, system, direction, approach):
+    def _step(self, displacements: Sequence[Floats], system: System, direction: Sequence[Floats], approach: float) -> tuple[list[Floats], System]:
         """Displacements with (part of) the correction `direction`, and their System: the first of the lengths 1, 1/2, ... with a smaller
         residual; if there is none, the shortest."""
         length = 1.0
@@ -165,7 +188,7 @@ class Contact:
             length /= 2
         return tried, there
 
-    def _guess(self, approach):
+    def _guess(self, approach: float) -> list[Floats]:
         """Displacements that go on as from the equilibrium before to the present one; where the path begins or turns, those of elastic bodies
         whose disc of contact stays as it is."""
         before, displacements = self._last
@@ -178,7 +201,7 @@ class Contact:
         correction = self._correction([body.elastic for body in self.bodies], spring, loads)
         return [displacement + step for displacement, step in zip(self.displacements, correction)]
 
-    def _correction(self, matrices, spring, loads):
+    def _correction(self, matrices: Sequence[Any], spring: Floats, loads: Sequence[Floats]) -> list[Floats]:
         """The displacements that `loads` [N] bring about in bodies with the stiffness `matrices` [N/m], held together by `spring` [N/m] at
         the points of contact.
 
@@ -201,7 +224,7 @@ class Contact:
             corrections[-1][body.free] = part
         return corrections
 
-    def _system(self, displacements, approach):
+    def _system(self, displacements: Sequence[Floats], approach: float) -> System:
         """The System at the displacements."""
         pressure = self._pressure(displacements, approach)
         weights = self.interface.weights
@@ -215,7 +238,7 @@ class Contact:
         scale = self.largest or force or numpy.finfo(float).tiny
         return System(residuals, matrices, self.stiffness * weights * (pressure > 0), states, force, error / scale)
 
-    def _accept(self, approach, displacements, system):
+    def _accept(self, approach: float, displacements: Sequence[Floats], system: System) -> None:
         self._last = self.approach, self.displacements
         self.approach, self.displacements, self.largest = approach, displacements, max(system.force, self.largest)
         for body, state in zip(self.bodies, system.states):

@@ -1,12 +1,27 @@
 """Curves of force over overlap, as the finite elements give them."""
-from collections import namedtuple
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 
-Curve = namedtuple('Curve', 'name radius yieldPoint modulus overlap force halfWidth')
-Curve.__doc__ = """One path of a case: effective radius [m], hertz.YieldPoint, E* [Pa], and arrays of overlap d [m], force [N], half-width a [m]."""
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats
+    from .hertz import YieldPoint
 
 
-def forceAt(curve, overlap):
+class Curve(NamedTuple):
+    """One path of a case: effective radius [m], hertz.YieldPoint, E* [Pa], and arrays of overlap d [m], force [N], half-width a [m]."""
+
+    name: Floats
+    radius: float
+    yieldPoint: YieldPoint
+    modulus: float
+    overlap: Floats
+    force: Floats
+    halfWidth: Floats
+
+
+def forceAt(curve: Curve, overlap: ArrayLike) -> Any:
     """Force of a Curve at other overlaps [N]; between its loads it goes on as a power law."""
     return numpy.exp(numpy.interp(numpy.log(overlap), numpy.log(curve.overlap), numpy.log(curve.force)))

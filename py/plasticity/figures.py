@@ -1,6 +1,10 @@
 """Pictures of an identification."""
+from __future__ import annotations
+
 import io
 import os
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
@@ -9,14 +13,22 @@ from PIL import Image
 from ..pictures.style import COLOURS, MARKERS, newFigure, outerLegend, rampColours
 from . import fit as fits
 from . import hertz, unloading
-from .curves import forceAt
+from .curves import Curve, forceAt
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from ..typealiases import Floats, PathLike
+    from .fit import Fit, Points
+    from .unloading import Comparison
 
 GREY = '#555555'
 ROUNDING = 1e-9   # of an overlap that is the same
 DPI, SHADES = 120, 160   # of the PNG: a third of the bytes of full colour
 
 
-def hertzPicture(path, curves):
+def hertzPicture(path: PathLike, curves: Mapping[str, Curve]) -> None:
     """Elastic cases against Hertz: force over half-width, and the relative departures."""
     figure, ((left, right),) = newFigure(2, 1, 4.6, 3.8)
     for i, curve in enumerate(curves):
@@ -37,7 +49,7 @@ def hertzPicture(path, curves):
     save(figure, path)
 
 
-def convergencePicture(path, curves):
+def convergencePicture(path: PathLike, curves: Mapping[float, tuple[int, Curve]]) -> None:
     """Force over overlap on several meshes, relative to the finest; `curves` as of cases.convergence."""
     figure, ((axes,),) = newFigure(1, 1, 5.8, 3.8)
     *coarser, finest = sorted(curves)
@@ -53,14 +65,14 @@ def convergencePicture(path, curves):
     save(figure, path)
 
 
-def _plainTicks(axes):
+def _plainTicks(axes: Axes) -> None:
     """1, 2, 5, 10, ... on a logarithmic x axis that is short."""
     axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f'{x:g}'))
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def collapsePicture(path, curves, law, disc):
+def collapsePicture(path: PathLike, curves: Sequence[Curve], law: Fit, disc: Fit) -> None:
     """The dimensionless curves of all cases with the fits, above, and the fits' errors, below; `law` and `disc` are the fit.Fits over sqrt(R d) and
     over the finite elements' half-width."""
     figure, panels = newFigure(2, 2, 4.7, 3.3, sharex='col', sharey='row')
@@ -80,7 +92,7 @@ def collapsePicture(path, curves, law, disc):
     save(figure, path)
 
 
-def _drawCase(above, below, fit, points, i, label):
+def _drawCase(above: Axes, below: Axes, fit: Fit, points: Points, i: int, label: str) -> None:
     """One case's points, its fitted curve and its errors; open marks, the later cases' smaller, as they lie on each other."""
     model = fits.force([fit.constants[name] for name in fits.CONSTANTS], points.ratio, points.excess)
     style = dict(ls='', marker=MARKERS[i], ms=9 - 1.5 * i, mfc='none', mec=COLOURS[i], mew=1, zorder=3)
@@ -89,7 +101,7 @@ def _drawCase(above, below, fit, points, i, label):
     below.plot(points.excess, 100 * (model / points.force - 1), **style)
 
 
-def unloadingPicture(path, loading, curves):
+def unloadingPicture(path: PathLike, loading: Curve, curves: Sequence[Curve]) -> None:
     """Loading and each unloading of one case, a panel for each, with the law's branches."""
     figure, (panels,) = newFigure(len(curves), 1, 4.6, 3.9)
     overlapUnit, forceUnit = loading.yieldPoint.overlap, loading.yieldPoint.force
@@ -109,7 +121,7 @@ def unloadingPicture(path, loading, curves):
     save(figure, path)
 
 
-def restitutionPicture(path, comparisons, law, ranges):
+def restitutionPicture(path: PathLike, comparisons: Sequence[Comparison], law: Fit, ranges: Any) -> None:
     """Restitution over the largest overlap: of the finite elements, of the law, and of the law fitted to smaller loads; `ranges` as of
     identify.Identification."""
     figure, ((axes,),) = newFigure(1, 1, 6.0, 4.0)
@@ -128,12 +140,12 @@ def restitutionPicture(path, comparisons, law, ranges):
     save(figure, path)
 
 
-def _restitutions(fit, overlaps):
+def _restitutions(fit: Fit, overlaps: Floats) -> Any:
     constants = [fit.constants[name] for name in fits.CONSTANTS]
     return [unloading.lawRestitution(constants, 1, overlap) for overlap in overlaps]
 
 
-def save(figure, path):
+def save(figure: Figure, path: PathLike) -> None:
     """Write the PNG; it takes the place of an older one only when it is complete."""
     drawn, partial = io.BytesIO(), f'{path}.part'
     figure.savefig(drawn, format='png', dpi=DPI)

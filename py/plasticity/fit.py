@@ -5,29 +5,49 @@
 by least squares of the relative error of the force (SciPy). The law in YADE knows the overlap d only and takes a = sqrt(R d); the
 constants for it are found with the same a. With the true half-width of the finite elements, as in the paper, they are others.
 """
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 from scipy import optimize, stats
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats, Ints
+    from .curves import Curve
 
 REFERENCE_RADIUS = 2.5e-3   # R0 [m], the paper's
 WITHIN = 0.1                # of an overlap: a case's last load counts, whose overlap is a few percent larger than its approach
 CONSTANTS = ('m0', 'm1', 'm2', 'exponent')
 
-Points = namedtuple('Points', 'case ratio excess force')
-Points.__doc__ = """Beyond yield, arrays: number of the case, R/R0, w = (a - ay)/ay, fN/fy."""
 
-Fit = namedtuple('Fit', 'constants intervals rms largest correlation')
-Fit.__doc__ = """constants: m0, m1, m2, exponent by name; intervals: theirs, 95 %, (low, high) by name; rms, largest: relative error of the
-force; correlation: of the errors of neighbouring points of a case."""
+class Points(NamedTuple):
+    """Beyond yield, arrays: number of the case, R/R0, w = (a - ay)/ay, fN/fy."""
+
+    case: Floats
+    ratio: Floats
+    excess: Floats
+    force: Floats
 
 
-def nominalHalfWidth(curve):
+class Fit(NamedTuple):
+    """constants: m0, m1, m2, exponent by name; intervals: theirs, 95 %, (low, high) by name; rms, largest: relative error of the
+    force; correlation: of the errors of neighbouring points of a case."""
+
+    constants: dict[str, float]
+    intervals: dict[str, tuple[float, float]]
+    rms: float
+    largest: float
+    correlation: float
+
+
+def nominalHalfWidth(curve: Curve) -> Floats:
     """a = sqrt(R d) [m], what the law takes."""
     return numpy.sqrt(curve.radius * curve.overlap)
 
 
-def points(curves, halfWidth=nominalHalfWidth, largest=numpy.inf):
+def points(curves: Sequence[Curve], halfWidth: Callable[[Curve], Floats] = nominalHalfWidth, largest: float = numpy.inf) -> Points:
     """Points of the curves.Curves beyond yield up to sqrt(R d) = `largest` R; `halfWidth` gives a [m] of a curve."""
     parts = []
     for i, curve in enumerate(curves):
@@ -39,13 +59,13 @@ def points(curves, halfWidth=nominalHalfWidth, largest=numpy.inf):
     return Points(*(numpy.concatenate(part) for part in zip(*parts)))
 
 
-def force(constants, ratio, excess):
+def force(constants: ArrayLike, ratio: Any, excess: Any) -> Any:
     """fN/fy of (10); `constants` m0, m1, m2, H in this order."""
     m0, m1, m2, exponent = constants
     return 1 + (m0 + ratio * (m1 + ratio * m2)) * excess**exponent
 
 
-def fit(points, degree=2):
+def fit(points: Points, degree: int = 2) -> Fit:
     """Fit the law to Points; `degree` of G, below 2 with the higher m_i zero. Returns a Fit.
 
     :raises ValueError: fewer points than constants, or effective radii than coefficients of G
@@ -54,12 +74,12 @@ def fit(points, degree=2):
     if len(points.force) <= len(free) or len(numpy.unique(numpy.round(points.ratio, 9))) <= degree:
         raise ValueError(f'points = {len(points.force)} at {len(numpy.unique(points.ratio))} effective radii: too few to fit {len(free)} constants')
 
-    def full(values):
+    def full(values: Floats) -> Floats:
         constants = numpy.zeros(4)
         constants[free] = values
         return constants
 
-    def errors(values):
+    def errors(values: Floats) -> Floats:
         return force(full(values), points.ratio, points.excess) / points.force - 1
 
     solution = optimize.least_squares(errors, [1.0] + [0.0] * degree + [2.0], x_scale='jac', xtol=1e-13, ftol=1e-13, gtol=1e-13)
@@ -73,7 +93,7 @@ def fit(points, degree=2):
                float(numpy.sqrt(numpy.mean(solution.fun**2))), float(numpy.abs(solution.fun).max()), correlation)
 
 
-def _halfIntervals(solution, case):
+def _halfIntervals(solution: Any, case: Ints) -> tuple[Floats, float]:
     """Half widths of the 95 % intervals, and the correlation rho of neighbouring errors.
 
     The errors are the power law's departures from smooth curves: neighbours are alike, and n points count as n (1 - rho)/(1 + rho).
@@ -89,7 +109,7 @@ def _halfIntervals(solution, case):
     return stats.t.ppf(0.975, freedom) * numpy.sqrt(numpy.diag(covariance)), correlation
 
 
-def collapse(points):
+def collapse(points: Points) -> float:
     """How far the cases' curves lie apart: rms of the relative differences of fN/fy from the mean over the cases, at the same w."""
     cases = numpy.unique(points.case)
     low = max(points.excess[points.case == i].min() for i in cases)

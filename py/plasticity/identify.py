@@ -1,6 +1,10 @@
 """From a material's stress-strain curve to its material file: all cases, the checks, the fit, tables and pictures in one folder."""
+from __future__ import annotations
+
 import os
 import platform
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import getfem
 import numpy
@@ -10,6 +14,11 @@ from ..files import results
 from ..materials import materialfile
 from ..version import __version__
 from . import cases, figures, fit, hertz, page, unloading
+
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
+    from .cases import Result, Settings
+    from .curves import Curve
 
 CURVE_COLUMNS = ('effectiveRadius', 'overlap', 'force', 'halfWidth')   # [m], [m], [N], [m]
 RANGES = (1 / 3, 1 / 2, 2 / 3)   # of the largest sqrt(R d)/R
@@ -27,7 +36,7 @@ class Identification:
     :raises ValueError: the elastic cases miss Hertz by more than HERTZ_LIMIT; the constants are none that the law takes
     """
 
-    def __init__(self, material, settings, report=lambda line: None):
+    def __init__(self, material: Mapping[str, Any], settings: Settings, report: Callable[[str], object] = lambda line: None) -> None:
         self.material, self.settings = material, settings
         self.elastic = [self._elastic(name, report) for name in cases.ELASTIC_CASES]
         self.hertzError = max(float(numpy.abs(error).max()) for curve in self.elastic for error in hertz.errors(curve))
@@ -42,17 +51,17 @@ class Identification:
         self.ranges = {share * settings.largest: fit.fit(fit.points(self.curves, largest=share * settings.largest), degree=0) for share in RANGES}
         self.unloadings = [unloading.compare(result.loading, curve) for result in self.results for curve in result.unloading]
 
-    def _elastic(self, name, report):
+    def _elastic(self, name: str, report: Callable[[str], object]) -> Curve:
         curve = cases.runElastic(cases.Case(name, self.material, self.settings, plastic=False))
         report(f'{name} elastic')
         return curve
 
-    def _plastic(self, name, report):
+    def _plastic(self, name: str, report: Callable[[str], object]) -> Result:
         result = cases.run(cases.Case(name, self.material, self.settings))
         report(f'{name}: {len(result.loading.force)} loads, {result.failures} halved steps')
         return result
 
-    def materialContent(self):
+    def materialContent(self) -> dict[str, Any]:
         """Content of the identified material file."""
         ratios = [curve.radius / fit.REFERENCE_RADIUS for curve in self.curves]
         hardening = {'referenceRadius': fit.REFERENCE_RADIUS, **self.law.constants, 'smallestRatio': min(ratios), 'largestRatio': max(ratios)}
@@ -63,7 +72,7 @@ class Identification:
             'intervals': {name: [_short(bound, 4) for bound in bounds] for name, bounds in self.law.intervals.items()},
             'fineness': self.settings.fineness, 'versions': versions()}}
 
-    def write(self, folder, name):
+    def write(self, folder: PathLike, name: str) -> None:
         """Write the material file `folder`/`name`.yaml, tables (CSV), pictures and page.md."""
         os.makedirs(folder, exist_ok=True)
         place = lambda file: os.path.join(folder, file)
@@ -82,7 +91,7 @@ class Identification:
         materialfile.write(place(f'{name}.yaml'), self.materialContent())
 
 
-def writeCurves(path, curves):
+def writeCurves(path: PathLike, curves: Sequence[Curve]) -> None:
     """All points of curves.Curves as CSV, the case's name in the first column."""
     with results.Replacing(path) as file:
         file.write(','.join(('case', *CURVE_COLUMNS)) + '\n')
@@ -91,11 +100,11 @@ def writeCurves(path, curves):
                 file.write(','.join([curve.name, repr(float(curve.radius)), *(repr(float(value)) for value in row)]) + '\n')
 
 
-def versions():
+def versions() -> dict[str, str]:
     """Versions of what took part in the computation."""
     return {'yade-superquadric': __version__, 'getfem': str(getfem.getfem_env('version')), 'scipy': scipy.__version__, 'numpy': numpy.__version__,
             'python': platform.python_version()}
 
 
-def _short(value, digits=3):
+def _short(value: float, digits: int = 3) -> float:
     return float(f'{float(value):.{digits}g}')

@@ -1,11 +1,19 @@
 """The page of an identification: what was found, and how far to trust it. Every number on it comes from the Identification."""
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy
 
 from . import cases, hertz, unloading
 from . import fit as fits
 from .curves import forceAt
+
+if TYPE_CHECKING:
+    from .fit import Fit
+    from .identify import Identification
 
 METHOD = """Axisymmetric finite elements (getfem): spheres and plates of this metal, von Mises' plasticity with isotropic hardening along the
 curve, no friction; small strain, contact at the undeformed r. Radii in mm. The overlap d is that of the far ends, plus the elastic give of what was
@@ -20,25 +28,25 @@ a^2 = R dmax (the law in YADE), with the original R, and with the disc of the fi
 restitution that a slow collision would have: of the finite elements, of their loading with the law's unloading, of the law alone."""
 
 
-def text(found):
+def text(found: Identification) -> str:
     """The page (Markdown) of the identify.Identification `found`."""
     return '\n\n'.join([f'# {found.material["name"]}', _header(found), METHOD, _constants(found), _cases(found), _hertz(found),
                         _convergence(found), _unloading(found)]) + '\n'
 
 
-def _table(columns, rows):
+def _table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> list[str]:
     """Markdown table of texts."""
     return '\n'.join(f'| {" | ".join(cells)} |' for cells in (columns, ['---'] * len(columns), *rows))
 
 
-def _header(found):
+def _header(found: Identification) -> list[str]:
     material, curve = found.material, found.curves[0]
     return (f'{material["source"].strip()}\n\nE = {material["young"] / 1e9:.4g} GPa, nu = {material["poisson"]:.3g}, '
             f'rho = {material["density"]:.4g} kg/m^3, sigma_y = {material["yieldStress"] / 1e6:.4g} MPa; '
             f'dy/R = {curve.yieldPoint.overlap / curve.radius:.3g}, ay/R = {curve.yieldPoint.contactRadius / curve.radius:.3g}.')
 
 
-def _constants(found):
+def _constants(found: Identification) -> list[str]:
     kinds = (('sqrt(R d): the law in YADE', found.law), ('sqrt(R d), G without R', found.constant), ('half-width of the finite elements', found.disc))
     rows = [[name, *(_bracketed(fit, constant) for constant in fits.CONSTANTS), f'{100 * fit.rms:.2f} %', f'{100 * fit.largest:.1f} %']
             for name, fit in kinds]
@@ -51,18 +59,18 @@ def _constants(found):
                         '![collapse](collapse.png)', RANGES, _table(['sqrt(R d)/R up to', 'd/dy up to', 'G', 'H', 'rms error of the force'], ranges)])
 
 
-def _bracketed(fit, name):
+def _bracketed(fit: Fit, name: str) -> str:
     value, (low, high) = fit.constants[name], fit.intervals[name]
     return f'{value:.4g}' if low == high else f'{value:.4g} [{low:.3g}, {high:.3g}]'
 
 
-def _dependence(fit):
+def _dependence(fit: Fit) -> list[str]:
     nil = [name for name in ('m1', 'm2') if fit.intervals[name][0] <= 0 <= fit.intervals[name][1]]
     said = f'{" and ".join(nil)} cannot be told from zero.' if nil else 'that m1 and m2 are not zero is the finite size of the spheres, and the mesh.'
     return 'Without a length in the material G cannot depend on R, as fy goes with R^2 and ay with R; ' + said
 
 
-def _cases(found):
+def _cases(found: Identification) -> list[str]:
     rows = []
     for result in found.results:
         curve = result.loading
@@ -75,7 +83,7 @@ def _cases(found):
     return '## Cases\n\n' + _table(columns, rows)
 
 
-def _hertz(found):
+def _hertz(found: Identification) -> list[str]:
     rows = []
     for curve in found.elastic:
         force, halfWidth = hertz.errors(curve)
@@ -84,11 +92,11 @@ def _hertz(found):
     return '\n\n'.join(['## Plasticity off: Hertz', _table(columns, rows), '![Hertz](hertz.png)'])
 
 
-def _worst(errors):
+def _worst(errors: Any) -> str:
     return f'{100 * errors[numpy.argmax(numpy.abs(errors))]:+.2f} %'
 
 
-def _convergence(found):
+def _convergence(found: Identification) -> list[str]:
     finest = found.convergence[max(found.convergence)][1]
     rows = []
     for fineness, (unknowns, curve) in sorted(found.convergence.items()):
@@ -101,7 +109,7 @@ def _convergence(found):
     return '\n\n'.join(['## Mesh', about, table, '![mesh convergence](convergence.png)'])
 
 
-def _unloading(found):
+def _unloading(found: Identification) -> list[str]:
     constants = [found.law.constants[name] for name in fits.CONSTANTS]
     rows = [[one.case, f'{one.largest:.3g}', f'{one.halfWidth:.2f}', f'{one.residual:.3f}', f'{one.law:.3f}', f'{one.original:.3f}',
              f'{one.disc:.3f}', f'{one.returned**0.5:.3f}', f'{one.lawReturned**0.5:.3f}',

@@ -3,15 +3,25 @@ Inelasticity (1998), section 3.3, for all integration points at once.
 
 Strain and stress in axisymmetry are rows of four: rr, zz, tt (hoop), rz; the shear strain is twice the tensor's component.
 """
-from collections import namedtuple
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats
 
 TRACE = numpy.array([1.0, 1.0, 1.0, 0.0])
 DEVIATOR = numpy.diag([1, 1, 1, 0.5]) - numpy.outer(TRACE, TRACE) / 3   # from strain to deviatoric stress/(2 G)
 STRAIN_OF_FLOW = numpy.array([1.0, 1.0, 1.0, 2.0])                      # from tensor components to a strain row
 
-State = namedtuple('State', 'plasticStrain hardening')   # rows of four; equivalent plastic strain, one a point
+
+class State(NamedTuple):
+    """Plastic strain, rows of four, and equivalent plastic strain, one a point."""
+
+    plasticStrain: Floats
+    hardening: Floats
 
 
 class Material:
@@ -20,7 +30,7 @@ class Material:
     :param stressStrain: rows (plastic strain, true stress [Pa]), straight in between, constant after the last; None: never yields
     """
 
-    def __init__(self, young, poisson, stressStrain=None):
+    def __init__(self, young: float, poisson: float, stressStrain: ArrayLike | None = None) -> None:
         self.shear = young / (2 * (1 + poisson))
         self.elasticity = young / (3 * (1 - 2 * poisson)) * numpy.outer(TRACE, TRACE) + 2 * self.shear * DEVIATOR
         self._curve = None
@@ -28,11 +38,11 @@ class Material:
             strain, stress = numpy.array(stressStrain, dtype=float).T
             self._curve = numpy.append(strain, 1e3 * max(1, strain[-1])), numpy.append(stress, stress[-1])
 
-    def virgin(self, points):
+    def virgin(self, points: int) -> State:
         """The State of `points` integration points that never yielded."""
         return State(numpy.zeros((points, 4)), numpy.zeros(points))
 
-    def respond(self, strain, state):
+    def respond(self, strain: Floats, state: State) -> tuple[Floats, Floats, State]:
         """Stress [Pa] (n, 4), its derivative by the strain [Pa] (n, 4, 4) and the new State, coming from `state` to `strain` (n, 4)."""
         trial = (strain - state.plasticStrain) @ self.elasticity
         tangent = numpy.tile(self.elasticity, (len(strain), 1, 1))
@@ -52,7 +62,7 @@ class Material:
                              - (6 * self.shear**2 * step / mises)[:, None, None] * DEVIATOR)
         return stress, tangent, State(plasticStrain, hardening)
 
-    def _hardened(self, mises, before):
+    def _hardened(self, mises: Floats, before: Floats) -> tuple[Floats, Floats]:
         """Equivalent plastic strain p on the yield surface, mises - 3 G (p - before) = stress(p), and the curve's slope there.
 
         On a curve of straight pieces that is a look-up, as 3 G p + stress(p) grows with p.

@@ -5,51 +5,75 @@
 With the disc of radius a it is R' (dmax - dR) = a^2, so dmax - dR = 3 f/(4 E* a). The law in YADE (pkg/mechanics/ElastoplasticContact.hpp) takes
 a^2 = R dmax; the paper's text leaves the original R in the place of R'.
 """
-from collections import namedtuple
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy
 from scipy import integrate
 
 from . import fit
 
+if TYPE_CHECKING:
+    from .curves import Curve
+
 STEPS = 4001   # of the law's curve
 
-Branch = namedtuple('Branch', 'radius residual')   # R' [m], dR [m]
-Comparison = namedtuple('Comparison', 'case ratio largest halfWidth residual law original disc returned lawReturned')
-Comparison.__doc__ = """One unloading. ratio: R/R0; largest: dmax/dy; halfWidth: a^2/(R dmax) of the finite elements; residual: dR/dmax; law,
-original, disc: the same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives
-back over the work of loading, lawReturned: the law's branch over the same work."""
+
+class Branch(NamedTuple):
+    """Radius R' and residual overlap dR, both [m]."""
+
+    radius: float
+    residual: float
 
 
-def lawBranch(curve):
+class Comparison(NamedTuple):
+    """One unloading. ratio: R/R0; largest: dmax/dy; halfWidth: a^2/(R dmax) of the finite elements; residual: dR/dmax; law,
+    original, disc: the same of branches with a^2 = R dmax, with the original R, with the finite elements' a; returned: energy that unloading gives
+    back over the work of loading, lawReturned: the law's branch over the same work."""
+
+    case: str
+    ratio: float
+    largest: float
+    halfWidth: float
+    residual: float
+    law: float
+    original: float
+    disc: float
+    returned: float
+    lawReturned: float
+
+
+def lawBranch(curve: Curve) -> Branch:
     """The Branch with a^2 = R dmax; `curve` is a curves.Curve that begins at dmax."""
     return discBranch(curve, numpy.sqrt(curve.radius * curve.overlap[0]))
 
 
-def discBranch(curve, halfWidth):
+def discBranch(curve: Curve, halfWidth: float) -> Branch:
     """The Branch with a disc of contact of the radius `halfWidth` [m]."""
     way = 3 * curve.force[0] / (4 * curve.modulus * halfWidth)
     return Branch(halfWidth**2 / way, curve.overlap[0] - way)
 
 
-def originalBranch(curve):
+def originalBranch(curve: Curve) -> Branch:
     """The Branch with the undeformed bodies' R."""
     way = (3 * curve.force[0] / (4 * curve.modulus * numpy.sqrt(curve.radius)))**(2 / 3)
     return Branch(curve.radius, curve.overlap[0] - way)
 
 
-def force(branch, modulus, overlap):
+def force(branch: Branch, modulus: float, overlap: Any) -> Any:
     """[N]; zero up to the residual overlap."""
     return 4 / 3 * modulus * numpy.sqrt(branch.radius) * numpy.maximum(0, overlap - branch.residual)**1.5
 
 
-def residual(curve):
+def residual(curve: Curve) -> float:
     """Where the force of an unloading curve vanishes [m]: its power 2/3 goes on along the straight line of the last three loads."""
     slope, start = numpy.polyfit(curve.overlap[-3:], curve.force[-3:]**(2 / 3), 1)
     return -start / slope
 
 
-def compare(loading, curve):
+def compare(loading: Curve, curve: Curve) -> Comparison:
     """The Comparison of an unloading curves.Curve that left the loading one."""
     largest, end = curve.overlap[0], residual(curve)
     work = _work(loading, largest)
@@ -62,7 +86,7 @@ def compare(loading, curve):
                       originalBranch(curve).residual / largest, discBranch(curve, curve.halfWidth[0]).residual / largest, returned, lawReturned)
 
 
-def lawRestitution(constants, ratio, largest):
+def lawRestitution(constants: Sequence[float], ratio: float, largest: float) -> float:
     """Restitution of a slow collision by the law alone, with loading and unloading as in pkg/mechanics/ElastoplasticContact.cpp.
 
     :param constants: m0, m1, m2, H; :param ratio: R/R0; :param largest: dmax/dy > 1
@@ -75,7 +99,7 @@ def lawRestitution(constants, ratio, largest):
     return float(numpy.sqrt(2 / 5 * force[-1] * (largest - residual[-1]) / work))
 
 
-def _work(loading, largest):
+def _work(loading: Curve, largest: float) -> float:
     """Work of loading up to the overlap `largest` [J]; below the first load it is Hertz's."""
     overlap = numpy.append(loading.overlap[loading.overlap < largest], largest)
     force = numpy.interp(overlap, loading.overlap, loading.force)

@@ -1,4 +1,4 @@
-"""Parameters of an experiment: typed objects, each of whose fields is declared once, with its default, unit, check, help and scope.
+"""Parameters of an experiment: typed objects, each of whose fields is declared once, with its default, unit, check, help and scope::
 
     @dataclass(frozen=True, kw_only=True)
     class Layer(Parameters):

@@ -1,6 +1,9 @@
 """Particles as bodies of YADE: `superquadric` (the sibling of `yade.utils.sphere`), and a body of a `shapes.ParticleShape`."""
+from __future__ import annotations
+
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
@@ -8,10 +11,13 @@ from yade.wrapper import Body, Superquadric
 
 from .. import checks
 
+if TYPE_CHECKING:
+    from .shapes import ParticleShape
+
 LARGEST_ID = 2 ** 31 - 1  # YADE's numbers of bodies have 32 bits
 
 
-def particleBody(shape, center, orientation, material, color=None):
+def particleBody(shape: ParticleShape, center: Sequence[float], orientation: Quaternion, material: Any, color: Any = None) -> Body:
     """A body of that `ParticleShape` with its centre at `center` [m], not yet in the scene; see `superquadric` for the others."""
     if shape.asSphere:
         body = utils.sphere(checks.vector('center', center), shape.extents[0], material=material, color=color)
@@ -20,8 +26,9 @@ def particleBody(shape, center, orientation, material, color=None):
     return superquadric(center, shape.extents, shape.n1, shape.n2, material, orientation, color=color)
 
 
-def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Identity, fixed=False, wire=False,
-                 color=None, highlight=False, mask=1):
+def superquadric(center: Sequence[float], extents: Sequence[float], n1: float, n2: float, material: Any = -1,
+                 orientation: Quaternion = Quaternion.Identity, fixed: bool = False, wire: bool = False,
+                 color: Any = None, highlight: bool = False, mask: int = 1) -> Body:
     """Create a superquadric particle; mass and inertia from the closed forms, in YADE's way of `utils.sphere`.
 
     `Body.aspherical` is set where the principal moments differ: a body of isotropic inertia (sphere, cube) is
@@ -54,14 +61,14 @@ def superquadric(center, extents, n1, n2, material=-1, orientation=Quaternion.Id
     return body
 
 
-def numbers(name, ids):
+def numbers(name: str, ids: Any) -> list[int]:
     """`ids` as a list of whole numbers that bodies may have."""
     if isinstance(ids, (str, bytes)) or not isinstance(ids, Iterable):
         raise ValueError(f'{name} = {ids!r}: must be numbers of bodies')
     return [checks.wholeNumber(name, i, 0, LARGEST_ID) for i in ids]
 
 
-def present(name, ids):
+def present(name: str, ids: Any) -> list[int]:
     """`ids` as a list of whole numbers, each of a body that is in the scene."""
     found, bodies = numbers(name, ids), O.bodies
     for i in found:
@@ -70,7 +77,7 @@ def present(name, ids):
     return found
 
 
-def rotation(orientation):
+def rotation(orientation: Any) -> Quaternion:
     """The normalised `orientation`; ValueError if it is no rotation."""
     if not isinstance(orientation, Quaternion):
         raise ValueError(f'orientation = {orientation!r}: must be a Quaternion')

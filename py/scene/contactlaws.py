@@ -1,4 +1,5 @@
 """The contact laws by name, and the defaults of their settings as numbers: those of the C++ classes, for parameters that need no YADE."""
+from __future__ import annotations
 
 CURVATURE, ELASTOPLASTIC = 'curvature', 'elastoplastic'
 CONTACT_LAWS = (CURVATURE, ELASTOPLASTIC)  # Wang & Ji (2018); Li et al. (2018)

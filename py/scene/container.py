@@ -22,14 +22,14 @@ class Container(NamedTuple):
     height: float
 
 
-def crossSection(container):
+def crossSection(container: Container) -> float:
     """Inner area [m2]."""
     if container.radius is None:
         return container.width * container.depth
     return math.pi * container.radius ** 2
 
 
-def checkFits(container, largestParticle):
+def checkFits(container: Container, largestParticle: float) -> None:
     """ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the container."""
     if container.radius is not None:
         checkCylinder(container.radius, container.height, largestParticle)
@@ -37,7 +37,7 @@ def checkFits(container, largestParticle):
         checkBox(container.width, container.depth, container.height, largestParticle)
 
 
-def checkBox(width, depth, height, largestParticle):
+def checkBox(width: float, depth: float, height: float, largestParticle: float) -> tuple[float, float, float]:
     """The sizes as floats; ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the box."""
     sizes = tuple(checks.positive(f'container {name}', size) for name, size in (('width', width), ('depth', depth), ('height', height)))
     largestParticle = checks.notNegative('largestParticle', largestParticle)
@@ -48,7 +48,7 @@ def checkBox(width, depth, height, largestParticle):
     return sizes
 
 
-def checkCylinder(radius, height, largestParticle):
+def checkCylinder(radius: float, height: float, largestParticle: float) -> tuple[float, float]:
     """Radius and height as floats; ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the cylinder."""
     radius, height = checks.positive('container radius', radius), checks.positive('container height', height)
     largestParticle = checks.notNegative('largestParticle', largestParticle)

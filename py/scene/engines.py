@@ -1,6 +1,10 @@
 """The engines of a superquadric scene, and its time step."""
+from __future__ import annotations
+
 import math
 from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 from yade import O
 from yade.wrapper import (
@@ -9,6 +13,7 @@ from yade.wrapper import (
     Bo1_Sphere_Aabb,
     Bo1_Superquadric_Aabb,
     Bo1_Wall_Aabb,
+    Body,
     BreakableMat,
     CurvatureMat,
     ElastoplasticMat,
@@ -41,7 +46,8 @@ LAWS = {CURVATURE: (Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, Law2_ScGeom_Cur
         ELASTOPLASTIC: (Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys, Law2_ScGeom_ElastoplasticPhys_LoadingUnloading)}
 
 
-def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, afterForces=(), law=None):
+def superquadricEngines(gravity: Sequence[float] = (0, 0, -9.81), verletDist: float | None = None, damping: float = 0.0,
+                        afterForces: Iterable[Any] = (), law: str | None = None) -> list[Any]:
     """The full list of engines, to be assigned to `O.engines`.
 
     Forces are added up in the order of the bodies' ids (`SuperquadricInteractionLoop`): on one thread a scene that is saved, loaded
@@ -76,7 +82,7 @@ def superquadricEngines(gravity=(0, 0, -9.81), verletDist=None, damping=0.0, aft
     ]
 
 
-def checkMaterials():
+def checkMaterials() -> None:
     """ValueError if a body in the scene that can touch others has a material other than CurvatureMat."""
     for body in O.bodies:
         if body.shape is not None and not body.isClump and not isinstance(body.mat, CurvatureMat):
@@ -85,7 +91,7 @@ def checkMaterials():
                              f'on all bodies')
 
 
-def _lawFor(law):
+def _lawFor(law: str | None) -> str:
     """The key of LAWS for the bodies in the scene, `law` itself if it is not None."""
     elastoplastic = [body for body in O.bodies if isinstance(body.mat, ElastoplasticMat)
                      and not (isinstance(body.mat, BreakableMat) and math.isinf(body.mat.yieldStress))]
@@ -99,7 +105,7 @@ def _lawFor(law):
     return law
 
 
-def _geometryFunctors():
+def _geometryFunctors() -> list[Any]:
     # YADE's correction against granular ratcheting belongs to spheres: it takes the branch vectors for the radii.
     # It is off for spheres as well, so that they follow the same law as superquadrics with n1 = n2 = 2.
     return [
@@ -111,7 +117,7 @@ def _geometryFunctors():
     ]
 
 
-def engine(kind, engines=None):
+def engine(kind: type, engines: Iterable[Any] | None = None) -> Any:
     """The first engine of class `kind` in the scene (or in `engines`)."""
     for candidate in O.engines if engines is None else engines:
         if isinstance(candidate, kind):
@@ -119,7 +125,7 @@ def engine(kind, engines=None):
     raise ValueError(f'engine = {kind.__name__}: there is none in O.engines; set O.engines = superquadricEngines()')
 
 
-def solverCounters(reset=False):
+def solverCounters(reset: bool = False) -> dict[str, int]:
     """What the solvers have met so far in all pairs with a superquadric, walls included, as a dict (see
     `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`), since the scene was made or loaded, or since the last call with `reset`."""
     total = Counter()
@@ -131,19 +137,19 @@ def solverCounters(reset=False):
     return dict(total)
 
 
-def minHalfSize(shape):
+def minHalfSize(shape: Any) -> float | None:
     """Smallest half size [m] of a particle's shape; None for walls."""
     if isinstance(shape, Superquadric):
         return min(shape.extents)
     return shape.radius if isinstance(shape, Sphere) else None
 
 
-def halfSizes():
+def halfSizes() -> list[float]:
     """Smallest half size [m] of every particle in the scene."""
     return [size for size in (minHalfSize(body.shape) for body in O.bodies) if size is not None]
 
 
-def criticalTimeStep(bodies=None):
+def criticalTimeStep(bodies: Iterable[Body] | None = None) -> float:
     """The smallest Rayleigh time step [s] among `bodies` (default: the scene's): equation (14) of Wang & Ji (2018),
     pi Rmin / (0.163 nu + 0.8766) sqrt(density/G) with Rmin = min(a, b, c).
 
@@ -161,7 +167,7 @@ def criticalTimeStep(bodies=None):
     return min(steps.values())
 
 
-def checkTimeStep(dt, bodies=None):
+def checkTimeStep(dt: float, bodies: Iterable[Body] | None = None) -> float:
     """`dt` [s] if it does not exceed the critical step of `bodies`, else ValueError. A tenth of it is advisable."""
     dt, critical = checks.positive('dt', dt), criticalTimeStep(bodies)
     if dt > critical:

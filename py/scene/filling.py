@@ -1,28 +1,33 @@
 """Rain filling: particles of random orientation, laid out without overlap above the base, then left to fall."""
+from __future__ import annotations
+
 import math
 import random
+from collections.abc import Iterable
+from typing import Any
 
 from yade import O
 from yade.minieigenHP import Quaternion, Vector3
-from yade.wrapper import Sphere, Superquadric
+from yade.wrapper import Body, Sphere, Superquadric
 
 from .. import checks
 from . import memory
-from .container import checkFits
+from .container import Container, checkFits
 from .expectedbed import DEEP_FRACTION, DENSEST, checkCapacity
 from .rain import GAP, SIDEWAYS, isInside, rainCentres
 from .shapes import ParticleShape
 from .walls import setHeight
 
 
-def randomOrientation(rng):
+def randomOrientation(rng: random.Random) -> Quaternion:
     """A rotation drawn uniformly from all rotations (Shoemake 1992). `rng`: random.Random."""
     u1, u2, u3 = rng.random(), 2 * math.pi * rng.random(), 2 * math.pi * rng.random()
     s, t = math.sqrt(1 - u1), math.sqrt(u1)
     return Quaternion(t * math.cos(u3), s * math.sin(u2), s * math.cos(u2), t * math.sin(u3))
 
 
-def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=DEEP_FRACTION, gap=GAP, sideways=SIDEWAYS):
+def rainFilling(shapes: Iterable[ParticleShape], container: Container, material: Any, seed: int, speed: float = 0.5,
+                solidFraction: float = DEEP_FRACTION, gap: float = GAP, sideways: float = SIDEWAYS) -> tuple[list[int], Container]:
     """Put one body per entry of `shapes` into the container, without overlap, moving down and at random sideways.
 
     The centres lie in horizontal layers on triangular grids, each turned and shifted at random, and every centre is
@@ -62,14 +67,14 @@ def rainFilling(shapes, container, material, seed, speed=0.5, solidFraction=DEEP
     return O.bodies.append(bodies), setHeight(container, max(container.height, top))
 
 
-def _checkEmpty(container):
+def _checkEmpty(container: Container) -> None:
     for body in O.bodies:
         x, y, z = body.state.pos
         if isinstance(body.shape, (Sphere, Superquadric)) and z > 0 and isInside(x, y, 0.0, container):
             raise ValueError(f'container: body {body.id} is in it already; fill it with all particles at once')
 
 
-def _falling(shape, center, material, speed, sideways, rng):
+def _falling(shape: ParticleShape, center: tuple[float, float, float], material: Any, speed: float, sideways: float, rng: random.Random) -> Body:
     shade = 0.55 + 0.25 * rng.random()
     body = shape.body(Vector3(*center), randomOrientation(rng), material, color=(shade, 0.8 * shade, 0.5 * shade))
     heading, drift = 2 * math.pi * rng.random(), sideways * speed * math.sqrt(rng.random())

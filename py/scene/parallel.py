@@ -14,14 +14,18 @@ share the particles among them, each a domain of space. With one process everyth
 Bodies near a border are known on both sides, and their contacts are computed on both, with the same history; a contact goes with its body when
 the body changes its rank. O.energy of a rank holds half of such a contact, so that sums over ranks count it once. See docs/scaling.md.
 """
+from __future__ import annotations
+
 import atexit
 import sys
 import traceback
+from collections.abc import Callable, Sequence
 from functools import cache
+from typing import Any
 
 from yade import O, config
 from yade.minieigenHP import Vector3
-from yade.wrapper import BoundaryController, BreakageEngine, InsertionSortCollider, KinematicEngine, PyRunner, VibratingBoxEngine
+from yade.wrapper import Body, BoundaryController, BreakageEngine, InsertionSortCollider, KinematicEngine, PyRunner, VibratingBoxEngine
 
 from .. import checks
 from .bodies import present
@@ -34,20 +38,20 @@ SPARED = ('unboundRemoteBodies', 'eraseRemote')     # functions of mpy, see _spl
 
 
 @cache
-def _mpy():
+def _mpy() -> Any:
     # Not at the top: importing it starts MPI.
     from yade import mpy
     atexit.register(_leave, mpy.comm)
     return mpy
 
 
-def _leave(comm):
+def _leave(comm: Any) -> None:
     """A rank that ends while others want to go on (after an error) takes them along: they would wait for it for ever."""
     if any(comm.allgather(False)):
         comm.Abort(1)
 
 
-def _meet():
+def _meet() -> None:
     """All ranks are about to go on, or have left."""
     comm = _mpy().comm
     if not all(comm.allgather(True)):
@@ -55,17 +59,17 @@ def _meet():
         comm.Abort(1)
 
 
-def rank():
+def rank() -> int:
     """Number of this process, from 0."""
     return _mpy().rank
 
 
-def ranks():
+def ranks() -> int:
     """Number of processes; 1 without mpirun."""
     return _mpy().numThreads
 
 
-def run(steps, rebalanceEvery=0):
+def run(steps: int, rebalanceEvery: int = 0) -> None:
     """Do `steps` steps on all ranks; to be called by all of them. The first time it cuts the scene of rank 0 into domains, and O.energy starts
     from zero.
 
@@ -94,7 +98,7 @@ def run(steps, rebalanceEvery=0):
     _orAbort(mpy.mpirun, steps)
 
 
-def _split():
+def _split() -> None:
     """`mpy.splitScene`, with the contacts at borders and walls as they are. It erases all bodies of other ranks, and gets those near a border
     back without what their contacts remember. Here the first erasing is left out, and all keep their boxes, so that the collider knows them; the
     second erasing, of those that are not near, does all that is needed.
@@ -115,11 +119,11 @@ def _split():
                            'borders would be forgotten')
 
 
-def _spareFirstCall(module, name, function):
+def _spareFirstCall(module: Any, name: str, function: Callable[..., Any]) -> None:
     setattr(module, name, lambda: setattr(module, name, function))
 
 
-def merge(forGood=False):
+def merge(forGood: bool = False) -> None:
     """Bring all bodies and contacts back to rank 0, where they can be drawn or measured; to be called by all ranks.
 
     :param forGood: rank 0 then has an ordinary scene of one process, to be saved or run by `O.run`, without `Totals`; no `run` on several ranks
@@ -134,7 +138,7 @@ def merge(forGood=False):
         _makeOrdinary()
 
 
-def _makeOrdinary():
+def _makeOrdinary() -> None:
     for body in list(O.bodies):
         if body.isSubdomain:
             O.bodies.erase(body.id)
@@ -142,7 +146,7 @@ def _makeOrdinary():
     O.engines = [each for each in O.engines if not (isinstance(each, PyRunner) and each.command.startswith(Totals.COMMAND))]
 
 
-def _orAbort(do, *arguments):
+def _orAbort(do: Callable[..., object], *arguments: Any) -> None:
     # An error of one rank would leave the others in the middle of their messages.
     try:
         do(*arguments)
@@ -152,7 +156,7 @@ def _orAbort(do, *arguments):
         _mpy().comm.Abort(1)
 
 
-def distribute():
+def distribute() -> None:
     """Give every body of the scene its rank: what cannot move 0, the others domains of equal numbers, by recursive bisection along the longest
     side of the box around their centres.
 
@@ -170,7 +174,7 @@ def distribute():
     O.engines = O.engines
 
 
-def _checkEnginesAndWalls():
+def _checkEnginesAndWalls() -> None:
     for each in O.engines:
         if isinstance(each, WHOLE_SCENE):
             raise ValueError(f'engine = {type(each).__name__}: it needs the whole scene in one process')
@@ -184,7 +188,7 @@ def _checkEnginesAndWalls():
             raise ValueError(f'body {body.id}: it is not dynamic and has a velocity, but walls cannot move on several ranks')
 
 
-def _checkScene(moving, domains):
+def _checkScene(moving: Sequence[Body], domains: int) -> None:
     if O.periodic:
         raise ValueError('O.periodic = True: periodic scenes cannot be cut into domains')
     if any(body.isClump for body in O.bodies):
@@ -193,7 +197,7 @@ def _checkScene(moving, domains):
         raise ValueError(f'ranks = {domains + 1}: more domains than the {len(moving)} particles')
 
 
-def _bisect(places, domains):
+def _bisect(places: Sequence[tuple[tuple[float, ...], int]], domains: range) -> None:
     """Give the bodies of `places`, (position, id) each, the subdomains in the range `domains`, in equal shares."""
     if len(domains) == 1:
         for _, number in places:
@@ -221,7 +225,7 @@ class Totals:
     begun = False  # whether there was a `run`
     ended = False  # whether there was a `merge` for good
 
-    def __init__(self, supports=(), every=1):
+    def __init__(self, supports: Sequence[int] = (), every: int = 1) -> None:
         if Totals.begun and ranks() > 1:  # the other ranks have their engines by then, and would not take part
             raise ValueError('Totals: must be made before the first run')
         every = checks.wholeNumber('every', every, 1, checks.STEPS)
@@ -234,7 +238,7 @@ class Totals:
             # Step 0 is no firstIterRun to YADE.
             O.engines = O.engines + [PyRunner(command=command, iterPeriod=every, firstIterRun=first, initRun=first == 0)]
 
-    def record(self):
+    def record(self) -> None:
         """Called on all ranks in the same step."""
         own = rank()
         states = [body.state for body in O.bodies if body.subdomain == own and not body.isSubdomain and body.dynamic]

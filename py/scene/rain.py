@@ -1,10 +1,17 @@
 """Where the rain of a filling begins: points in horizontal layers on triangular grids, each turned and shifted at random."""
+from __future__ import annotations
+
 import math
+import random
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .container import Container
 
 GAP, SIDEWAYS = 0.08, 2.0  # of filling.rainFilling, by default
 
 
-def rainCentres(number, radius, gap, container, rng):
+def rainCentres(number: int, radius: float, gap: float, container: Container, rng: random.Random) -> list[tuple[float, float, float]]:
     """`number` points [m] above the base, farther than 2 `radius` from each other and `radius` from the walls."""
     jitter = min(gap * radius, _halfWidth(container) - radius)
     spacing, margin = 2 * (radius + jitter), radius + jitter
@@ -19,7 +26,7 @@ def rainCentres(number, radius, gap, container, rng):
     return centers
 
 
-def _layer(spacing, margin, container, rng):
+def _layer(spacing: float, margin: float, container: Container, rng: random.Random) -> list[tuple[float, float]]:
     """Points of a triangular grid, turned at random, at least `margin` [m] inside the container's side walls.
     The grid has one of its points at a random place inside, so that no layer is empty."""
     angle = 2 * math.pi * rng.random()
@@ -36,14 +43,14 @@ def _layer(spacing, margin, container, rng):
     return points
 
 
-def isInside(x, y, margin, container):
+def isInside(x: float, y: float, margin: float, container: Container) -> bool:
     """Whether the point is at least `margin` [m] from the side walls, on their inner side."""
     if container.radius is not None:
         return math.hypot(x, y) <= container.radius - margin
     return abs(x) <= container.width / 2 - margin and abs(y) <= container.depth / 2 - margin
 
 
-def _randomPlace(margin, container, rng):
+def _randomPlace(margin: float, container: Container, rng: random.Random) -> tuple[float, float]:
     if container.radius is not None:
         distance = (container.radius - margin) * math.sqrt(rng.random())
         angle = 2 * math.pi * rng.random()
@@ -51,15 +58,15 @@ def _randomPlace(margin, container, rng):
     return tuple((size / 2 - margin) * (2 * rng.random() - 1) for size in (container.width, container.depth))
 
 
-def _halfWidth(container):
+def _halfWidth(container: Container) -> float:
     return container.radius if container.radius is not None else min(container.width, container.depth) / 2
 
 
-def _outerWidth(container):
+def _outerWidth(container: Container) -> float:
     return container.radius if container.radius is not None else math.hypot(container.width, container.depth) / 2
 
 
-def _inBall(radius, rng):
+def _inBall(radius: float, rng: random.Random) -> list[float]:
     """A vector drawn uniformly from the ball."""
     while True:
         point = [radius * (2 * rng.random() - 1) for _ in range(3)]

@@ -6,6 +6,8 @@ eta = sqrt(6) Cn. In the time s with ds = d^(1/4) dt and with z = d^(5/4) this i
 
     e = exp(-a (pi - 2 arctan a)),   a = eta/sqrt(5 - eta^2).
 """
+from __future__ import annotations
+
 import math
 
 from .. import checks
@@ -13,13 +15,13 @@ from .. import checks
 LARGEST_RATIO = 1e3  # of a: e < 0.14 from 7 on, and no less than exp(-2)
 
 
-def restitutionOf(normalDamping):
+def restitutionOf(normalDamping: float) -> float:
     """Restitution coefficient [-] of a central collision for Cn = `normalDamping`, below sqrt(5/6) (the oscillator must swing)."""
     eta = math.sqrt(6) * checks.within('normalDamping', normalDamping, 0, math.sqrt(5 / 6), highIncluded=False)
     return _restitution(eta / math.sqrt(5 - eta ** 2))
 
 
-def normalDampingFor(restitution):
+def normalDampingFor(restitution: float) -> float:
     """Cn [-] that gives a `restitution` coefficient; ValueError outside (exp(-2), 1], which the law can give.
 
     By bisection: e falls with a.
@@ -31,7 +33,7 @@ def normalDampingFor(restitution):
     return math.sqrt(5 / 6) * low / math.hypot(1, low)
 
 
-def collisionDuration(mass, radius, modulus, speed):
+def collisionDuration(mass: float, radius: float, modulus: float, speed: float) -> float:
     """2.87 (m*^2/(R* E*^2 v))^(1/5) [s]: how long two elastic bodies touch that meet at `speed` [m/s] (Johnson, Contact Mechanics,
     1985, eq. 11.24).
 
@@ -40,5 +42,5 @@ def collisionDuration(mass, radius, modulus, speed):
     return 2.87 * (mass ** 2 / (radius * modulus ** 2 * speed)) ** 0.2
 
 
-def _restitution(ratio):
+def _restitution(ratio: float) -> float:
     return math.exp(-ratio * (math.pi - 2 * math.atan(ratio)))

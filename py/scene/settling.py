@@ -6,14 +6,21 @@ overlap under the bed's own weight, well below a percent of the particle size. T
 true one in small steps of time and stiffness while YADE's non-viscous damping takes up the energy that the shrinking
 overlaps give back, and the bed comes to rest a second time.
 """
+from __future__ import annotations
+
 import math
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
 
 from yade import O
-from yade.wrapper import CurvatureMat, CurvaturePhys, ElastoplasticMat, NewtonIntegrator
+from yade.wrapper import Body, CurvatureMat, CurvaturePhys, ElastoplasticMat, NewtonIntegrator
 
 from .. import checks
 from .engines import criticalTimeStep, engine
 from .settlingrules import CALM, CHECK_STEPS, CHECKS_IN_A_ROW, DAMPING, QUIET, QUIET_SHARE, RAMP_DAMPING, RAMP_STAGES, SUPPORT, rampSteps
+
+if TYPE_CHECKING:
+    from .stepping import Stepper
 
 
 class RestCriterion:
@@ -26,7 +33,8 @@ class RestCriterion:
         a row the criterion `held`, whether the bed was `calm`, when settling has to `end` [s]
     """
 
-    def __init__(self, ids, supports, quiet=QUIET, support=SUPPORT, memory=None):
+    def __init__(self, ids: Sequence[int], supports: Sequence[int], quiet: float = QUIET, support: float = SUPPORT,
+                 memory: dict[str, Any] | None = None) -> None:
         self.ids, self.supports = list(ids), list(supports)
         if not self.ids:
             raise ValueError('ids = []: at least one particle is needed')
@@ -37,17 +45,17 @@ class RestCriterion:
         self.scale = self.weight * _meanDiameter(self.ids)
         self.memory = {} if memory is None else memory
 
-    def kineticEnergy(self):
+    def kineticEnergy(self) -> float:
         """Mean kinetic energy of a particle over m g d [-], the fastest left out."""
         quiet = math.ceil(QUIET_SHARE * len(self.ids))
         energies = sorted(_kineticEnergy(O.bodies[i].state) for i in self.ids)[:quiet]
         return sum(energies) / quiet * len(self.ids) / self.scale
 
-    def supportedWeight(self):
+    def supportedWeight(self) -> float:
         """Vertical force on the supports over the weight [-]."""
         return -sum(O.forces.f(i)[2] for i in self.supports) / self.weight
 
-    def check(self):
+    def check(self) -> bool:
         """Look once; True when the criterion has held long enough."""
         quiet = self.kineticEnergy() < self.quiet
         holds = quiet and abs(self.supportedWeight() - 1) < self.support
@@ -55,17 +63,17 @@ class RestCriterion:
         return self.memory['held'] >= CHECKS_IN_A_ROW
 
 
-def _kineticEnergy(state):
+def _kineticEnergy(state: Any) -> float:
     spin = state.ori.conjugate() * state.angVel
     return 0.5 * (state.mass * state.vel.squaredNorm() + sum(i * w * w for i, w in zip(state.inertia, spin)))
 
 
-def _meanDiameter(ids):
+def _meanDiameter(ids: Sequence[int]) -> float:
     volume = sum(O.bodies[i].state.mass / O.bodies[i].mat.density for i in ids) / len(ids)
     return (6 * volume / math.pi) ** (1 / 3)
 
 
-def settle(stepper, criterion, maxTime):
+def settle(stepper: Stepper, criterion: RestCriterion, maxTime: float) -> bool:
     """Step until the criterion holds, or for `maxTime` [s] of simulated time at most. As soon as the kinetic energy
     per particle is below CALM m g d, YADE's non-viscous damping helps, until the end.
 
@@ -89,7 +97,7 @@ def settle(stepper, criterion, maxTime):
         newton.damping = before
 
 
-def scaleStiffness(factor):
+def scaleStiffness(factor: float) -> None:
     """Multiply Young's modulus of all shared materials, and of the contacts that exist, by `factor`.
 
     The tangential displacements are scaled by factor^(-2/3), as the overlaps will be once the bed has found its
@@ -114,7 +122,7 @@ def scaleStiffness(factor):
                               'shearDisplacement': shrink * phys.shearDisplacement})
 
 
-def setYoung(body, young):
+def setYoung(body: Body, young: float) -> None:
     """Give the `body` a Young's modulus [Pa] of its own, also in the contacts that it has; its other bodies keep theirs.
 
     The contacts keep the friction that they carry, as in `scaleStiffness`; its material must not yield, as there.
@@ -132,13 +140,14 @@ def setYoung(body, young):
         interaction.phys.updateAttrs({'effectiveModulus': modulus, 'shearDisplacement': shrink * interaction.phys.shearDisplacement})
 
 
-def _requireElastic(body):
+def _requireElastic(body: Body) -> None:
     if isinstance(body.mat, ElastoplasticMat) and math.isfinite(body.mat.yieldStress):
         raise ValueError(f'body {body.id}: its material yields (yieldStress = {body.mat.yieldStress:g} Pa), so its contacts cannot '
                          f'be given another stiffness')
 
 
-def stiffen(stepper, softening, timeStepFraction, layers=1.0, done=0, afterScaling=lambda stage: None):
+def stiffen(stepper: Stepper, softening: float, timeStepFraction: float, layers: float = 1.0, done: int = 0,
+            afterScaling: Callable[[int], object] = lambda stage: None) -> None:
     """Raise the stiffness by `softening` in RAMP_STAGES stages, the time step following.
 
     :param timeStepFraction: time step over the critical one (14)

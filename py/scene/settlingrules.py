@@ -1,4 +1,6 @@
 """The numbers by which a bed counts as at rest, and by which its stiffness rises; `settling` applies them."""
+from __future__ import annotations
+
 from .. import checks
 
 CHECK_STEPS = 150      # time steps between two looks at the criterion
@@ -16,7 +18,7 @@ RAMP_DAMPING = 0.5     # non-viscous damping during the ramp
 DAMPING = 0.3          # the same in a calm bed
 
 
-def rampSteps(softening, layers=1.0):
+def rampSteps(softening: float, layers: float = 1.0) -> list[int]:
     """Time steps of each stage of `stiffen`, for a bed of so many `layers`.
 
     Overlaps go with E^(-2/3), time steps with E^(-1/2): so many steps let the bed swell ever more slowly, as E^(-1/2).

@@ -1,7 +1,11 @@
 """Running a scene step by step: progress with an estimate of the time left, and a clean stop on Ctrl-C."""
+from __future__ import annotations
+
 import signal
 import sys
 import time
+from collections.abc import Callable, Mapping
+from typing import Self, TextIO
 
 from yade import O
 
@@ -28,31 +32,31 @@ class Stepper:
     REFRESH = 0.5    # s between updates of the line on a terminal
     LOG_REFRESH = 5.0  # s between lines in a log file
 
-    def __init__(self, plan=None, stream=sys.stderr, left=None):
+    def __init__(self, plan: Mapping[str, int] | None = None, stream: TextIO | None = sys.stderr, left: int | None = None) -> None:
         self.plan = dict(plan or {})
         self.stream, self.left = stream, left
         self.stage, self.stageSteps = '', 0
         self.steps, self.seconds = 0, 0.0
         self._stop, self._handlers, self._lastReport = False, {}, 0.0
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):
             self._handlers[number] = signal.signal(number, self._requestStop)
         return self
 
-    def __exit__(self, *_):
+    def __exit__(self, *_: object) -> None:
         for number, handler in self._handlers.items():
             signal.signal(number, handler)
         self._endLine()
 
-    def begin(self, stage):
+    def begin(self, stage: str) -> None:
         """Say which stage of the plan the next steps belong to."""
         if self.stage:
             self.plan.pop(self.stage, None)
         self.stage, self.stageSteps, self._lastReport = stage, 0, 0.0
         self.report()
 
-    def run(self, steps, afterStep=None):
+    def run(self, steps: int, afterStep: Callable[[], object] | None = None) -> None:
         """Do a portion of `steps` steps; `afterStep()` is called after each, forces are then still those of the step.
 
         :raises ValueError: `steps` is no whole number
@@ -74,7 +78,7 @@ class Stepper:
             self.report()
         self.left = None
 
-    def secondsLeft(self):
+    def secondsLeft(self) -> float | None:
         """Expected seconds for what the plan still holds; None without a plan, or before there is something to go by."""
         if not self.plan or self.steps < 20:
             return None
@@ -82,7 +86,7 @@ class Stepper:
         left += max(self.plan.get(self.stage, 0) - self.stageSteps, 0)
         return left * self.seconds / self.steps
 
-    def report(self):
+    def report(self) -> None:
         """Write the line of progress, if it is time for it."""
         if self.stream is None:
             return
@@ -97,24 +101,24 @@ class Stepper:
         self.stream.write(f'\r\x1b[K{text}' if terminal else text + '\n')
         self.stream.flush()
 
-    def say(self, text):
+    def say(self, text: str) -> None:
         """Write a line that stays."""
         if self.stream is not None:
             self._endLine()
             self.stream.write(text + '\n')
             self.stream.flush()
 
-    def _endLine(self):
+    def _endLine(self) -> None:
         if self.stream is not None and self.stream.isatty():
             self.stream.write('\r\x1b[K')
 
-    def _requestStop(self, number, frame):
+    def _requestStop(self, number: int, frame: object) -> None:
         if self._stop and number == signal.SIGINT:
             raise KeyboardInterrupt
         self._stop = True
 
 
-def _clock(seconds):
+def _clock(seconds: float) -> str:
     minutes, seconds = divmod(int(seconds + 0.5), 60)
     hours, minutes = divmod(minutes, 60)
     return f'{hours}:{minutes:02d}:{seconds:02d}' if hours else f'{minutes}:{seconds:02d}'

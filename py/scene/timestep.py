@@ -1,4 +1,6 @@
 """The critical time step of a material and a size as a number; `engines.criticalTimeStep` finds the smallest one of a scene."""
+from __future__ import annotations
+
 import math
 
 from .. import checks

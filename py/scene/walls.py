@@ -1,4 +1,8 @@
 """The bodies of a container: a Wall at z = 0 as its base, and a HollowCylinder or four Walls as its sides."""
+from __future__ import annotations
+
+from typing import Any
+
 from yade import O, utils
 from yade.minieigenHP import Vector3
 from yade.wrapper import Body, HollowCylinder
@@ -7,7 +11,7 @@ from .. import checks
 from .container import Container, checkBox, checkCylinder
 
 
-def cylinderContainer(radius, height, material, largestParticle=0.0):
+def cylinderContainer(radius: float, height: float, material: Any, largestParticle: float = 0.0) -> Container:
     """Put a rigid cylinder, axis z through the origin, base at z = 0, into the scene.
 
     :param radius: inner radius [m]; :param height: [m]
@@ -22,7 +26,7 @@ def cylinderContainer(radius, height, material, largestParticle=0.0):
     return Container(base, (side,), radius, None, None, height)
 
 
-def boxContainer(width, depth, height, material, largestParticle=0.0):
+def boxContainer(width: float, depth: float, height: float, material: Any, largestParticle: float = 0.0) -> Container:
     """Put a rigid box (four walls and a base at z = 0, centred on the z axis) into the scene.
 
     :param width, depth, height: inner sizes along x, y, z [m]; the walls are planes, without an upper rim
@@ -36,7 +40,7 @@ def boxContainer(width, depth, height, material, largestParticle=0.0):
     return Container(base, tuple(sides), None, width, depth, height)
 
 
-def setHeight(container, height):
+def setHeight(container: Container, height: float) -> Container:
     """Give a cylinder another height [m] with its base where it is (a box has no rim, nothing is to do)."""
     height = checks.positive('height', height)
     if container.radius is not None:
@@ -46,11 +50,11 @@ def setHeight(container, height):
     return container._replace(height=height)
 
 
-def _base(material):
+def _base(material: Any) -> Body:
     return utils.wall(0.0, 2, sense=1, material=material)
 
 
-def _cylinder(radius, height, material):
+def _cylinder(radius: float, height: float, material: Any) -> Body:
     body = Body()
     body.shape = HollowCylinder(radius=radius, height=height, wire=True)
     utils._commonBodySetup(body, 0, Vector3.Zero, material, pos=Vector3(0, 0, height / 2), fixed=True)

@@ -4,46 +4,71 @@ Intervals are two-sided. Runs on different beds are independent: each bed comes 
 points on the same beds are not: what the beds have in common drops out of differences that are taken bed by bed. So a sample may be
 a pandas Series, whose index says on which bed each value was found; a plain sequence shares its beds with no other.
 """
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple, TypeAlias
 
 import numpy
 import pandas
 from scipy import stats
 
+from ..typealiases import ArrayLike, Floats
+
 LEVEL = 0.95
 PERMUTATIONS = 9999
 SEED = 20180501      # of the permutations, where values are equal: the same data give the same p values
 
-Estimate = namedtuple('Estimate', 'mean low high number')
-Estimate.__doc__ = """Mean of a sample, arithmetic or geometric, with its interval; low and high are nan for a single value: there is none."""
-
-Trend = namedtuple('Trend', 'share rises falls')
-Trend.__doc__ = """A monotone trend of y over x: share: of the pairs of runs with different x, those that rise less those that fall, -1 to 1;
-rises, falls: one-sided p values."""
+Sample: TypeAlias = ArrayLike | pandas.Series  # values; a Series tells on which bed each was found
 
 
-class Contrast(namedtuple('Contrast', 'estimate low high error dof number')):
+class Estimate(NamedTuple):
+    """Mean of a sample, arithmetic or geometric, with its interval; low and high are nan for a single value: there is none."""
+
+    mean: float
+    low: float
+    high: float
+    number: int
+
+
+class Trend(NamedTuple):
+    """A monotone trend of y over x: share: of the pairs of runs with different x, those that rise less those that fall, -1 to 1;
+    rises, falls: one-sided p values."""
+
+    share: float
+    rises: float
+    falls: float
+
+
+class Contrast(NamedTuple):
     """A weighted sum of means: estimate, interval, standard error, degrees of freedom, number of runs.
 
     Without a scatter to judge by (single runs) low, high, error and dof are nan, and so are all p values.
     """
 
-    def above(self, bound=0.0):
+    estimate: float
+    low: float
+    high: float
+    error: float
+    dof: float
+    number: int
+
+    def above(self, bound: float = 0.0) -> float:
         """One-sided p value of 'the true sum is at most `bound`': small if it is above."""
         if self.error == 0:
             return 0.0 if self.estimate > bound else 1.0
         return float(stats.t.sf((self.estimate - bound) / self.error, self.dof))
 
-    def below(self, bound=0.0):
+    def below(self, bound: float = 0.0) -> Contrast:
         """One-sided p value of 'the true sum is at least `bound`'."""
         return Contrast(-self.estimate, -self.high, -self.low, self.error, self.dof, self.number).above(-bound)
 
-    def twoSided(self):
+    def twoSided(self) -> float:
         return min(1.0, 2 * min(self.above(), self.below())) if self.error >= 0 else math.nan
 
 
-def meanInterval(sample, level=LEVEL):
+def meanInterval(sample: Sample, level: float = LEVEL) -> Estimate:
     """`Estimate` of a sample (one value at least)."""
     sample = numpy.asarray(sample, dtype=float)
     mean, number = float(sample.mean()), len(sample)
@@ -53,7 +78,7 @@ def meanInterval(sample, level=LEVEL):
     return Estimate(mean, mean - reach, mean + reach, number)
 
 
-def typicalValue(sample):
+def typicalValue(sample: Sample) -> Estimate:
     """`Estimate` of a sample as findings compare it: where all values are positive the geometric mean, by the interval of the logarithms'
     mean, for scatter goes with the size; so no interval of theirs reaches zero. Else the mean."""
     if numpy.min(sample) > 0:
@@ -61,7 +86,7 @@ def typicalValue(sample):
     return meanInterval(sample)
 
 
-def pooledVariance(samples):
+def pooledVariance(samples: Sequence[Sample]) -> tuple[float, int]:
     """Variance within samples, taken to be the same in all, and its degrees of freedom (0: no sample has two values)."""
     dof = sum(len(sample) - 1 for sample in samples)
     if dof == 0:
@@ -69,13 +94,13 @@ def pooledVariance(samples):
     return sum(float(((sample - numpy.mean(sample)) ** 2).sum()) for sample in map(numpy.asarray, samples)) / dof, dof
 
 
-def shareBeds(samples):
+def shareBeds(samples: Sequence[Sample]) -> bool:
     """Whether two of the samples have values from the same bed."""
     beds = [bed for sample in samples if isinstance(sample, pandas.Series) for bed in sample.index]
     return len(set(beds)) < len(beds)
 
 
-def byBed(samples, weights):
+def byBed(samples: Sequence[Sample], weights: Sequence[float]) -> tuple[tuple[Sample, ...], tuple[float, ...]]:
     """(samples, weights) of the same sum in which no two samples share a bed: those that do are one sample, of weighted sums bed by bed.
 
     Beds that one of them lacks are left out. Samples that share beds in a chain, without a bed common to all, are left as they are.
@@ -94,7 +119,7 @@ def byBed(samples, weights):
     return tuple(zip(*result))
 
 
-def contrast(samples, weights, level=LEVEL, pool=None):
+def contrast(samples: Sequence[Sample], weights: Sequence[float], level: float = LEVEL, pool: Sequence[Sample] | None = None) -> Contrast:
     """`Contrast` sum(weights * means of samples); with the weights (1, -1) Welch's t interval of a difference, or that of the paired
     differences if both come from the same beds.
 
@@ -117,7 +142,7 @@ def contrast(samples, weights, level=LEVEL, pool=None):
     return Contrast(estimate, estimate - reach, estimate + reach, error, dof, number)
 
 
-def _satterthwaite(samples, weights):
+def _satterthwaite(samples: Sequence[Floats], weights: Sequence[float]) -> tuple[float, float]:
     """Variance of the weighted sum of means and its degrees of freedom (0: a sample has a single value)."""
     if min(map(len, samples)) < 2:
         return math.nan, 0
@@ -128,7 +153,7 @@ def _satterthwaite(samples, weights):
     return total, total ** 2 / sum(part ** 2 / (len(sample) - 1) for part, sample in zip(parts, samples))
 
 
-def holm(values):
+def holm(values: Sequence[float]) -> Floats:
     """Holm's p values: as small as `values` may be called when all of them are looked at. nan stays nan."""
     values = numpy.asarray(values, dtype=float)
     adjusted, largest = numpy.full(len(values), math.nan), 0.0
@@ -139,7 +164,7 @@ def holm(values):
     return adjusted
 
 
-def trend(samples, seed=SEED):
+def trend(samples: Mapping[float, Sample], seed: int = SEED) -> Trend:
     """`Trend` of {x: values}: Jonckheere's and Terpstra's test for ordered groups, all arrangements of the runs over the x being alike.
 
     It needs no scatter within an x, so that single runs at five or more x are enough, and takes no shape of the trend for
@@ -163,7 +188,7 @@ def trend(samples, seed=SEED):
     return Trend(observed / len(lower), *p)
 
 
-def _arrangements(counts):
+def _arrangements(counts: Sequence[int]) -> list[int]:
     """Number of arrangements of different values over groups of `counts`, by the number of pairs that fall from an earlier group
     to a later one: the coefficients of the Gaussian multinomial, prod (1 - q^n) / prod (1 - q^i)."""
     ways, placed = [1], 0
@@ -179,7 +204,7 @@ def _arrangements(counts):
     return ways
 
 
-def leastP(samples):
+def leastP(samples: Mapping[float, Sample]) -> float:
     """The smallest one-sided p value that `trend` could give: that of the one arrangement in full order."""
     counts = [len(sample) for sample in samples.values()]
     return math.prod(map(math.factorial, counts)) / math.factorial(sum(counts))

@@ -1,23 +1,39 @@
 """From which x on does y no longer change? A model in two pieces, fitted to few and scattered runs."""
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy
 
-from .samples import LEVEL, pooledVariance
+from .samples import LEVEL, Sample, pooledVariance
+
+if TYPE_CHECKING:
+    from ..typealiases import Floats, Ints
 
 GRID = 160           # places tried for the bend
 REPLICATES = 2000
 SEED = 20180502
 FEWEST = 4           # values of x: the model has three parameters, and its shape is chosen
 
-Saturation = namedtuple('Saturation', 'bend low high shape plateau misfit replicates resolved')
-Saturation.__doc__ = """A fit: bend: the x from which y is constant, low to high: its interval; shape: of the change before, 'power law' or
-'straight'; plateau: y beyond; misfit: standard deviation of means about the model that the scatter of the runs does not explain;
-replicates: bends of the bootstrap; resolved: whether the interval ends before the largest x."""
+
+class Saturation(NamedTuple):
+    """A fit: bend: the x from which y is constant, low to high: its interval; shape: of the change before, 'power law' or
+    'straight'; plateau: y beyond; misfit: standard deviation of means about the model that the scatter of the runs does not explain;
+    replicates: bends of the bootstrap; resolved: whether the interval ends before the largest x."""
+
+    bend: float
+    low: float
+    high: float
+    shape: str
+    plateau: float
+    misfit: float
+    replicates: Floats
+    resolved: bool
 
 
-def fitSaturation(samples, seed=SEED):
+def fitSaturation(samples: Mapping[float, Sample], seed: int = SEED) -> Saturation | None:
     """Fit y = plateau + slope * change(x) for x < bend, y = plateau beyond, to {x: values of y}; x > 0.
 
     change is log(bend/x) or (bend - x), whichever fits better: a power law or an exponential if y are logarithms. Means count by
@@ -53,7 +69,7 @@ def fitSaturation(samples, seed=SEED):
 class _Model:
     """All candidates: for each shape and each bend of a grid the matrix that takes means to their weighted residuals."""
 
-    def __init__(self, places, counts):
+    def __init__(self, places: Floats, counts: Floats) -> None:
         self.grid = numpy.geomspace(places[1], places[-1], GRID)
         bend, x = self.grid[:, None], places[None, :]
         changes = numpy.concatenate([numpy.log(numpy.maximum(bend / x, 1)), numpy.maximum(bend - x, 0) / bend])
@@ -62,18 +78,18 @@ class _Model:
         self.designs, self.solvers = designs, numpy.linalg.pinv(weighted) * numpy.sqrt(counts)
         self.residuals = numpy.sqrt(counts)[None, :, None] * (numpy.eye(len(places)) - designs @ self.solvers)
 
-    def fit(self, means):
+    def fit(self, means: Floats) -> tuple[Ints, Floats]:
         """Best candidates for rows of means (B, k), and their weighted sums of squares."""
         squares = numpy.stack([((means @ matrix.T) ** 2).sum(axis=1) for matrix in self.residuals], axis=1)
         best = squares.argmin(axis=1)
         return best, squares[numpy.arange(len(means)), best]
 
-    def bends(self, candidates):
+    def bends(self, candidates: Ints) -> Floats:
         return self.grid[candidates % GRID]
 
-    def shape(self, candidate):
+    def shape(self, candidate: int) -> str:
         return 'power law' if candidate < GRID else 'straight'
 
-    def values(self, means, candidate):
+    def values(self, means: Floats, candidate: int) -> Floats:
         """The fitted curve at the places."""
         return self.designs[candidate] @ self.solvers[candidate] @ means

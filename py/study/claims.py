@@ -3,43 +3,57 @@
 Level: 5 %, two-sided, so a directional claim is supported at 2.5 %. A finding is supported if all its parts are: no correction is
 due. It is contradicted if one of them is, so each may be at the level over their number only.
 """
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from collections.abc import Iterable, Mapping
 from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from ..experiments.quantities import counted, inUnit, xText
-from ..statistics.samples import holm, leastP, trend
-from ..statistics.saturation import FEWEST, fitSaturation
+from ..statistics.samples import Contrast, holm, leastP, trend
+from ..statistics.saturation import FEWEST, Saturation, fitSaturation
 from .experiments import QUANTITIES
 from .measure import Measure, pText
+
+if TYPE_CHECKING:
+    from .groupdata import GroupData
+
+Samples: TypeAlias = Mapping[float, Any]  # x: values, as a pandas Series over their beds
 
 ALPHA = 0.05
 WIDEST = 2.0    # an interval of the bend that spans more than this factor supports no claim where it is
 
-Part = namedtuple('Part', 'name verdict text numbers')
-Part.__doc__ = """The verdict on a part of a finding: name of the series or pair, verdict, text, numbers for machines."""
+
+class Part(NamedTuple):
+    """The verdict on a part of a finding: name of the series or pair, verdict, text, numbers for machines."""
+
+    name: str
+    verdict: str
+    text: str
+    numbers: dict[str, Any]
 
 
-def verdict(for_, against, parts):
+def verdict(for_: float, against: float, parts: int) -> str:
     """The verdict by one-sided p values of the claim and of its opposite, one of `parts` parts; nan decides nothing."""
     if for_ < ALPHA / 2:
         return 'supported'
     return 'contradicted' if against < ALPHA / 2 / parts else 'undecided'
 
 
-def seriesOf(data, finding):
+def seriesOf(data: GroupData, finding: Mapping[str, Any]) -> list[str]:
     return finding.get('series', data.series)
 
 
-def falls(data, finding):
+def falls(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_trendPart(data, finding, name, -1) for name in seriesOf(data, finding)]
 
 
-def rises(data, finding):
+def rises(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_trendPart(data, finding, name, 1) for name in seriesOf(data, finding)]
 
 
-def _trendPart(data, finding, name, sign):
+def _trendPart(data: GroupData, finding: Mapping[str, Any], name: str, sign: int) -> Part:
     samples = data.samples(finding['y'], name, finding)
     if len(samples) < 2:
         return Part(name, 'undecided', f'{_runs(samples)} at {len(samples)} values of {data.xName} are too few.', {})
@@ -61,18 +75,18 @@ def _trendPart(data, finding, name, sign):
                                       'change': measure.numbers(change), 'turns': [[a, b] for a, b, _ in turns]})
 
 
-def _turns(samples, measure, sign):
+def _turns(samples: Samples, measure: Measure, sign: int) -> list[tuple[float, float, Contrast]]:
     """Steps (x, next x, contrast) that significantly go against the trend, corrected after Holm for their number."""
     steps = [(a, b, measure.contrast([samples[b], samples[a]], [1, -1])) for a, b in pairwise(sorted(samples))]
     corrected = holm([step.below() if sign > 0 else step.above() for _, _, step in steps])
     return [step for step, p in zip(steps, corrected) if p < ALPHA / 2]
 
 
-def saturates(data, finding):
+def saturates(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_saturationPart(data, finding, name) for name in seriesOf(data, finding)]
 
 
-def _saturationPart(data, finding, name):
+def _saturationPart(data: GroupData, finding: Mapping[str, Any], name: str) -> Part:
     samples = data.samples(finding['y'], name, finding)
     measure = Measure(finding['y'], list(samples.values()))
     if len(samples) < FEWEST:
@@ -92,7 +106,7 @@ def _saturationPart(data, finding, name):
                 {'hc': fit.bend, 'low': fit.low, 'high': fit.high, 'shape': fit.shape, 'resolved': fit.resolved, 'misfit': fit.misfit})
 
 
-def _saturationText(data, finding, samples, measure, fit):
+def _saturationText(data: GroupData, finding: Mapping[str, Any], samples: Samples, measure: Measure, fit: Saturation) -> str:
     largest, claimed = max(samples), finding['hc']
     shape = fit.shape if fit.shape == 'power law' else 'exponential' if measure.log else 'straight line'
     text = (f'{_named(finding["y"])} is constant from {data.xName} = {fit.bend:.3g} [{fit.low:.3g}, {fit.high:.3g}] on (before: {shape}; '
@@ -106,11 +120,11 @@ def _saturationText(data, finding, samples, measure, fit):
     return text
 
 
-def peaksAt(data, finding):
+def peaksAt(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_peakPart(data, finding, name) for name in seriesOf(data, finding)]
 
 
-def _peakPart(data, finding, name):
+def _peakPart(data: GroupData, finding: Mapping[str, Any], name: str) -> Part:
     """Supported if y(x) is above the mean of all others, y rises up to x and falls from there, each at 2.5 %, and no mean is higher."""
     samples, x = data.samples(finding['y'], name, finding), finding['x']
     others = [place for place in samples if place != x]
@@ -135,11 +149,11 @@ def _peakPart(data, finding, name):
                  'rivals': {f'{o:g}': measure.numbers(rival) for o, rival in rivals.items()}})
 
 
-def within(data, finding):
+def within(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_withinPart(data, finding, name) for name in seriesOf(data, finding)]
 
 
-def _withinPart(data, finding, name):
+def _withinPart(data: GroupData, finding: Mapping[str, Any], name: str) -> Part:
     """Supported if all runs lie between the limits, contradicted if at some x none does: no statistics, a count."""
     samples = data.samples(finding['y'], name, finding)
     if not samples:
@@ -151,14 +165,14 @@ def _withinPart(data, finding, name):
     return Part(name, decided, f'{_named(finding["y"])} is {values}; {_runs(samples)}.', {'outside': [x for x in inside if not all(inside[x])]})
 
 
-def smallest(values):
+def smallest(values: Iterable[float]) -> float:
     """Smallest p value that is one; 1 if there is none."""
     return min([p for p in values if not math.isnan(p)], default=1)
 
 
-def _runs(samples):
+def _runs(samples: Samples) -> str:
     return counted(sum(map(len, samples.values())))
 
 
-def _named(y):
+def _named(y: str) -> str:
     return QUANTITIES[y].name

@@ -1,29 +1,39 @@
 """The tests of differences between series, and of their absence; levels and parts as in `claims`."""
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import combinations, pairwise, product
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import pandas
 from scipy import stats
 
 from ..experiments.quantities import counted, xText
-from ..statistics.samples import holm
+from ..statistics.samples import Contrast, holm
 from .claims import ALPHA, Part, smallest, verdict
 from .experiments import QUANTITIES
 from .measure import Measure, pText
 
+if TYPE_CHECKING:
+    from ..typealiases import Floats
+    from .groupdata import GroupData
+
+Point: TypeAlias = tuple[str, Any]  # name of the series, x
+
 MARGIN = 0.1        # differences up to 10 % are none, unless the finding says otherwise
 
 
-def above(data, finding):
+def above(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     return [_comparison(data, finding, *finding['series'], 1, everywhere=False)]
 
 
-def ordered(data, finding):
+def ordered(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     pairs = list(pairwise(finding['series']))
     return [_comparison(data, finding, high, low, len(pairs), everywhere=True) for low, high in pairs]
 
 
-def _comparison(data, finding, high, low, parts, everywhere):
+def _comparison(data: GroupData, finding: Mapping[str, Any], high: str, low: str, parts: int, everywhere: bool) -> Part:
     """Is `high` above `low`? By the mean difference over all x that have both.
 
     Supported if that is significant and no x shows significantly (after Holm) the opposite; with `everywhere` the means must have
@@ -52,7 +62,7 @@ def _comparison(data, finding, high, low, parts, everywhere):
                 {'overall': measure.numbers(total), 'at': {xText(x): measure.numbers(one) for x, one in single}})
 
 
-def agree(data, finding):
+def agree(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     """Supported if the mean difference over all x lies within the margin by two one-sided tests and no x is significantly outside;
     contradicted if it, or a single x (after Holm), is significantly outside. Differences that cancel in the mean are no agreement: at no x
     may that of the means be beyond the margin."""
@@ -79,7 +89,7 @@ def agree(data, finding):
                                         'at': {xText(x): measure.numbers(one) for x, one in single}})]
 
 
-def noEffect(data, finding):
+def noEffect(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
     """Supported if all differences (between all points; of variants, to the first one of the series) lie within the margin, by two
     one-sided tests each; all must, so none is corrected, and no planned point may lack runs. Contradicted if one is significantly
     (after Holm) outside."""
@@ -109,7 +119,7 @@ def noEffect(data, finding):
                                      'largest': measure.numbers(widest)})]
 
 
-def _compared(data, series, points):
+def _compared(data: GroupData, series: Sequence[str], points: Mapping[Point, Any]) -> list[tuple[Point, Point]]:
     """The pairs of points that `noEffect` compares."""
     if data.numeric:
         return list(combinations(points, 2))
@@ -117,36 +127,36 @@ def _compared(data, series, points):
     return [(group[0], other) for group in groups for other in group[1:]]
 
 
-def _shared(data, finding, first, second):
+def _shared(data: GroupData, finding: Mapping[str, Any], first: str, second: str) -> list[tuple[Any, Any, Any]]:
     """[(x, sample of the first series, of the second)] where both have runs."""
     a, b = (data.samples(finding['y'], name, finding) for name in (first, second))
     return [(x, a[x], b[x]) for x in a if x in b]
 
 
-def _overall(measure, pairs):
+def _overall(measure: Measure, pairs: Sequence[tuple[Any, Any, Any]]) -> Contrast:
     """Mean over all x of the difference first - second."""
     samples = [sample for _, *both in pairs for sample in both]
     return measure.contrast(samples, [1 / len(pairs), -1 / len(pairs)] * len(pairs))
 
 
-def _within(difference, margin):
+def _within(difference: Contrast, margin: float) -> float:
     """p value of two one-sided tests: small if the difference lies within the margin."""
     ends = difference.below(margin), difference.above(-margin)
     return math.nan if any(map(math.isnan, ends)) else max(ends)
 
 
-def _outside(difference, margin):
+def _outside(difference: Contrast, margin: float) -> float:
     """One-sided p value: small if the difference lies beyond the margin on its side."""
     return difference.above(margin) if difference.estimate > 0 else difference.below(-margin)
 
 
-def _equivalence(within, outside):
+def _equivalence(within: float, outside: float) -> str:
     if outside < ALPHA / 2:
         return 'contradicted'
     return 'supported' if within < ALPHA else 'undecided'
 
 
-def _variance(measure, points):
+def _variance(measure: Measure, points: Mapping[Point, Any]) -> float:
     """p value of an analysis of variance over the points, with the beds as blocks where points share them; nan without scatter."""
     samples = [measure.of(sample) for sample in points.values()]
     if measure.shared:
@@ -156,7 +166,7 @@ def _variance(measure, points):
     return float(stats.f_oneway(*samples).pvalue)
 
 
-def _blockVariance(values):
+def _blockVariance(values: Floats) -> float:
     """p value of 'all rows of `values` (points, beds) are alike' with the columns as blocks; nan if no two beds are common to all."""
     rows, columns = values.shape
     if columns < 2:
@@ -166,18 +176,18 @@ def _blockVariance(values):
     return float(stats.f.sf(columns * (effects ** 2).sum() / rest, rows - 1, (rows - 1) * (columns - 1))) if rest > 0 else math.nan
 
 
-def _number(value):
+def _number(value: Any) -> float | None:
     return None if math.isnan(value) else value
 
 
-def _pointName(point):
+def _pointName(point: Point) -> str:
     name, x = point
     return f'{name} {xText(x)}'.strip()
 
 
-def _list(values):
+def _list(values: Iterable[Any]) -> str:
     return ', '.join(map(xText, values)) or 'none'
 
 
-def _count(pairs):
+def _count(pairs: Sequence[Any]) -> str:
     return counted(sum(len(sample) for _, *both in pairs for sample in both))

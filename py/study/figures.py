@@ -1,5 +1,9 @@
 """Figures of a group: what may be asked for, and the pictures of single quantities over x or by variant."""
+from __future__ import annotations
+
 import re
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 import numpy
 
@@ -10,6 +14,14 @@ from ..statistics.samples import typicalValue
 from .experiments import QUANTITIES
 from .measure import Measure
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from ..experiments.experiment import Experiment
+    from ..typealiases import Floats, PathLike
+    from .groupdata import GroupData
+
 KINDS = {'trend': ('y', 'x', 'series'), 'variants': ('y', 'x', 'series')}
 OF_RECORDS = ('panels', 'x', 'series')   # keys of the kinds that an experiment draws from its records
 PANELS = ('series', 'x')
@@ -17,7 +29,7 @@ LOG_RATIO = 8       # an axis is logarithmic if its largest value is that many t
 FEWEST = 3          # runs for an interval in a picture: that of two is 13 standard errors wide and hides all else
 
 
-def checkFigure(name, spec, group):
+def checkFigure(name: str, spec: Any, group: Mapping[str, Any]) -> dict[str, Any]:
     """`spec` if it can be drawn for `group`: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}.
 
     :raises ValueError: a name that makes no file name, unknown kind, key, quantity, series or x
@@ -43,7 +55,7 @@ def checkFigure(name, spec, group):
     return spec
 
 
-def _listed(key, values):
+def _listed(key: str, values: Any) -> list[Any]:
     if not isinstance(values, (list, tuple)) or not values:
         raise ValueError(f'{key} = {values!r}: must be a list with an entry at least')
     for value in values:
@@ -52,7 +64,7 @@ def _listed(key, values):
     return values
 
 
-def drawFigure(path, spec, data, records, experiment):
+def drawFigure(path: PathLike, spec: Mapping[str, Any], data: GroupData, records: PathLike, experiment: Experiment) -> int:
     """Draw a figure that `checkFigure` accepted.
 
     :param path: of the PNG; :param data: the group's `GroupData`; :param records: folder of the runs' folders; :param experiment: `Experiment`
@@ -72,13 +84,13 @@ def drawFigure(path, spec, data, records, experiment):
     return len(used)
 
 
-def isLog(values):
+def isLog(values: Sequence[float]) -> bool:
     """Whether a logarithmic axis suits the values."""
     values = numpy.asarray(values, dtype=float)
     return bool(len(values) > 1 and values.min() > 0 and values.max() >= LOG_RATIO * values.min())
 
 
-def _drawTrend(data, series, values, quantities):
+def _drawTrend(data: GroupData, series: Sequence[str], values: Sequence[Any], quantities: Sequence[str]) -> Figure:
     """`quantities` over x: a panel for each, a line per series, runs as small dots."""
     figure, panels = newFigure(len(quantities), 1, 5.2, 4.3)
     for axes, y in zip(panels[0], quantities):
@@ -95,7 +107,7 @@ def _drawTrend(data, series, values, quantities):
     return figure
 
 
-def _drawLine(axes, data, name, values, y, index, place):
+def _drawLine(axes: Axes, data: GroupData, name: str, values: Sequence[float], y: str, index: int, place: str) -> None:
     """Typical value, interval and runs of a series; `place` moves it aside a little, so that bars do not cover each other."""
     factor, colour = QUANTITIES[y].factor, COLOURS[index % len(COLOURS)]
     marker = MARKERS[index % len(MARKERS)]
@@ -115,13 +127,13 @@ def _drawLine(axes, data, name, values, y, index, place):
                           color=colour, lw=1.2, capsize=3, zorder=3.5)
 
 
-def _moved(places, values, share):
+def _moved(places: Floats, values: Sequence[float], share: float) -> Floats:
     if isLog(values):
         return places * (max(values) / min(values)) ** share
     return places + share * (max(values) - min(values))
 
 
-def _scaleAxes(axes, values, seen):
+def _scaleAxes(axes: Axes, values: Sequence[float], seen: Sequence[float]) -> None:
     """Logarithmic axes where the values ask for it; ticks at the x that there are."""
     from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
     if isLog(values):
@@ -143,7 +155,7 @@ def _scaleAxes(axes, values, seen):
         axes.set_ylim(max(bottom, low - reach), min(top, high + reach))
 
 
-def _drawVariants(data, series, values, quantities):
+def _drawVariants(data: GroupData, series: Sequence[str], values: Sequence[Any], quantities: Sequence[str]) -> Figure:
     """Typical value and interval of each variant, a row each, with the difference to the first one in words."""
     height = 0.5 + 0.42 * len(values) * len(series)
     figure, panels = newFigure(len(quantities), 1, 6.4, 1.3 + height)
@@ -165,7 +177,7 @@ def _drawVariants(data, series, values, quantities):
     return figure
 
 
-def _drawVariant(axes, data, y, name, x, row, colour):
+def _drawVariant(axes: Axes, data: GroupData, y: str, name: str, x: str, row: int, colour: str) -> None:
     sample = QUANTITIES[y].factor * data.sample(y, name, x)
     estimate = typicalValue(sample)
     if len(sample) >= FEWEST:
@@ -174,7 +186,7 @@ def _drawVariant(axes, data, y, name, x, row, colour):
     axes.plot([estimate.mean], [row], MARKERS[0], ms=7.5, color=colour, mec='white', mew=0.9, zorder=3)
 
 
-def _differenceText(data, y, name, first, x):
+def _differenceText(data: GroupData, y: str, name: str, first: str, x: str) -> str:
     """'+12.3 % [-4.5, 29.1]': the difference of a variant to the first one, with its interval; bed by bed where both are on the same beds."""
     samples = [data.sample(y, name, first), data.sample(y, name, x)]
     measure = Measure(y, samples)

@@ -1,17 +1,32 @@
 """Findings: a statement of a paper, the statistical test that it is put to, and the verdict."""
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .. import checks
 from ..experiments.quantities import allNumbers
 from . import claims, comparisons
 
-Test = namedtuple('Test', 'judge required optional fewest axis')
-Test.__doc__ = """A test of a finding.
+if TYPE_CHECKING:
+    from .claims import Part
+    from .groupdata import GroupData
 
-judge: function (data, finding) -> list of `claims.Part`; required, optional: keys of the finding beside those that all have;
-fewest: values of x that it needs; axis: whether x must be numbers.
-"""
+
+class Test(NamedTuple):
+    """A test of a finding.
+
+    judge: function (data, finding) -> list of `claims.Part`; required, optional: keys of the finding beside those that all have;
+    fewest: values of x that it needs; axis: whether x must be numbers.
+    """
+
+    judge: Any
+    required: Any
+    optional: Any
+    fewest: Any
+    axis: Any
+
 
 COMMON = ('test', 'y', 'paper')
 RANGE = ('from', 'upTo')
@@ -31,7 +46,7 @@ TESTS = {
 STRENGTH = ('contradicted', 'undecided', 'supported')   # a finding is as strong as the weakest of its parts
 
 
-def checkFinding(finding, group):
+def checkFinding(finding: Any, group: Mapping[str, Any]) -> dict[str, Any]:
     """`finding`, its numbers as such, if it can be tested in `group`.
 
     :param group: {'experiment': `Experiment`, 'series': [names], 'xName': name, 'values': [of x]}
@@ -62,7 +77,7 @@ def checkFinding(finding, group):
     return {**finding, **{key: checks.finite(key, finding[key]) for key in NUMBERS if key in finding}}
 
 
-def _checkSeries(finding, group):
+def _checkSeries(finding: Mapping[str, Any], group: Mapping[str, Any]) -> None:
     series = finding.get('series')
     if series is None:
         return
@@ -78,7 +93,7 @@ def _checkSeries(finding, group):
         raise ValueError(f'series = {series!r}: test ordered needs two at least')
 
 
-def _checkLimits(finding):
+def _checkLimits(finding: Mapping[str, Any]) -> None:
     if not any(key in finding for key in LIMITS):
         raise ValueError('low = None: test within needs low, high or both')
     low, high = (checks.finite(key, finding[key]) if key in finding else default for key, default in zip(LIMITS, (-math.inf, math.inf)))
@@ -86,7 +101,7 @@ def _checkLimits(finding):
         raise ValueError(f'low = {finding["low"]!r}: must not be above high = {finding["high"]!r}')
 
 
-def _checkX(finding, group, test):
+def _checkX(finding: Mapping[str, Any], group: Mapping[str, Any], test: Test) -> None:
     values = group['values']
     if not allNumbers(values):
         used = [key for key in RANGE if key in finding]
@@ -107,7 +122,7 @@ def _checkX(finding, group, test):
         raise ValueError(f'x = {finding["x"]!r}: must be one of {inside!r}, with others on both sides')
 
 
-def judge(finding, data):
+def judge(finding: Mapping[str, Any], data: GroupData) -> dict[str, Any]:
     """The verdict on a finding.
 
     :param finding: as `checkFinding` accepts it; :param data: the group's `GroupData`
@@ -122,7 +137,7 @@ def judge(finding, data):
             'parts': [part._asdict() for part in parts]}
 
 
-def _summary(parts):
+def _summary(parts: Sequence[Part]) -> str:
     """Which part has which verdict, where they differ."""
     if len({part.verdict for part in parts}) == 1:
         return ''

@@ -1,6 +1,10 @@
 """The page of a study: figures, a table of the points, findings with their verdicts. All of it comes from plan and table."""
+from __future__ import annotations
+
 import math
 import os
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from ..experiments.quantities import axisLabel, counted, isNumber, plain, xText
 from ..files import results
@@ -9,6 +13,12 @@ from .experiments import QUANTITIES, experimentOf
 from .figures import drawFigure
 from .findings import judge
 from .groupdata import GroupData
+
+if TYPE_CHECKING:
+    import pandas
+
+    from ..experiments.experiment import Experiment
+    from ..typealiases import PathLike
 
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
 METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
@@ -22,7 +32,7 @@ so mind how wide that is. A finding is as strong as its weakest part. What findi
 several places, their mean."""
 
 
-def drawStudy(plan, table, records, output):
+def drawStudy(plan: Mapping[str, Any], table: pandas.DataFrame, records: PathLike, output: PathLike) -> dict[str, Any]:
     """Write the figures (PNG), findings.json, and at last findings.md into the folder `output`.
 
     :param plan: dict as in plan.json; :param table: DataFrame, one row per finished run
@@ -42,14 +52,14 @@ def drawStudy(plan, table, records, output):
     return content
 
 
-def _checkNames(plan):
+def _checkNames(plan: Mapping[str, Any]) -> None:
     names = [name for group in plan['groups'] for name in group.get('figures') or {}]
     for name in names:
         if names.count(name) > 1:
             raise ValueError(f'figure = {name!r}: two groups have a figure of this name')
 
 
-def _header(experiment, plan, table):
+def _header(experiment: Experiment, plan: Mapping[str, Any], table: pandas.DataFrame) -> dict[str, Any]:
     """What all of the study's runs took, and what computed them."""
     done = table[table['run'].isin(plan['runs'])]
     return {'runs': len(done), 'plannedRuns': len(plan['runs']), 'beds': int(done['bed'].nunique()),
@@ -58,13 +68,13 @@ def _header(experiment, plan, table):
             'concerns': [*experiment.concerns(done), *_uncertified(done)]}
 
 
-def _uncertified(done):
+def _uncertified(done: pandas.DataFrame) -> list[str]:
     """A sentence on the runs with contact solutions of which nothing is proved, if there are any."""
     number = int((done['uncertified'] > 0).sum())
     return [f'{counted(number)} with contact solutions that have no certificate'] if number else []
 
 
-def _cpuHours(experiment, done):
+def _cpuHours(experiment: Experiment, done: pandas.DataFrame) -> float:
     """Time of all runs and of each bed once, times the threads."""
     seconds = (done[experiment.runSeconds] * done['threads']).sum()
     if experiment.bedJobs:
@@ -73,7 +83,7 @@ def _cpuHours(experiment, done):
     return float(seconds) / 3600
 
 
-def _group(experiment, group, data, records, output):
+def _group(experiment: Experiment, group: Mapping[str, Any], data: GroupData, records: PathLike, output: PathLike) -> dict[str, Any]:
     figures = []
     for name, spec in (group.get('figures') or {}).items():
         used = drawFigure(os.path.join(output, name + '.png'), spec, data, records, experiment)
@@ -82,13 +92,13 @@ def _group(experiment, group, data, records, output):
             'figures': figures, 'points': _points(data, experiment.shown)}
 
 
-def _findings(group, data):
+def _findings(group: Mapping[str, Any], data: GroupData) -> Iterator[dict[str, Any]]:
     for finding in group.get('findings') or []:
         paper = finding.get('paper') or f'{finding["test"]}: {QUANTITIES[finding["y"]].name}'
         yield {'group': data.name, **judge(finding, data), 'paper': paper}
 
 
-def _points(data, shown):
+def _points(data: GroupData, shown: Sequence[str]) -> list[dict[str, Any]]:
     """For each finished point: series, x, beds, and of each of the columns `shown` mean, low, high in SI units."""
     points = []
     for name in data.series:
@@ -103,7 +113,7 @@ def _points(data, shown):
     return points
 
 
-def _page(content):
+def _page(content: Any) -> list[str]:
     """The page's lines."""
     lines = [f'# {content["title"]}', '', _headline(content), '', METHOD, '']
     lines += [f'**Mind:** {concern}.' for concern in content['concerns']] + [''] * bool(content['concerns'])
@@ -116,13 +126,13 @@ def _page(content):
     return lines
 
 
-def _headline(content):
+def _headline(content: Any) -> str:
     versions = ', '.join(f'{name} {" and ".join(values)}' for name, values in content['versions'].items() if values)
     return (f'{content["runs"]} of {counted(content["plannedRuns"])} on {counted(content["beds"], "bed")}; {plain(content["cpuHours"])} CPU hours'
             + (f'; {versions}.' if versions else '.'))
 
 
-def _overview(content):
+def _overview(content: Any) -> list[str]:
     if not content['findings']:
         return []
     titles = {group['name']: group['title'] for group in content['groups']}
@@ -131,13 +141,13 @@ def _overview(content):
     return ['| finding | in | verdict | runs |', '| --- | --- | --- | --- |', *rows, '']
 
 
-def _figureLines(figure):
+def _figureLines(figure: Mapping[str, Any]) -> list[str]:
     if not figure['runs']:
         return [f'{figure["name"]}: no runs yet.', '']
     return [f'![{figure["name"]}]({figure["file"]})', '', f'*{figure["name"]}: {counted(figure["runs"])}.*', '']
 
 
-def _tableLines(group, shown):
+def _tableLines(group: Mapping[str, Any], shown: Sequence[str]) -> list[str]:
     if not group['points']:
         return []
     heads = [group['xName'], 'beds'] + [axisLabel(QUANTITIES[y]).replace('$', '').replace('_', '') for y in shown]
@@ -150,7 +160,7 @@ def _tableLines(group, shown):
     return lines + ['']
 
 
-def _cell(y, estimate, withInterval):
+def _cell(y: str, estimate: Any, withInterval: bool) -> str:
     if estimate is None:
         return '-'
     factor = QUANTITIES[y].factor
@@ -160,7 +170,7 @@ def _cell(y, estimate, withInterval):
     return f'{mean} [{plain(factor * estimate["low"])}, {plain(factor * estimate["high"])}]'
 
 
-def _findingLines(content, group):
+def _findingLines(content: Any, group: Mapping[str, Any]) -> list[str]:
     lines = []
     for finding in content['findings']:
         if finding['group'] == group['name']:
@@ -169,11 +179,11 @@ def _findingLines(content, group):
     return lines + [''] * bool(lines)
 
 
-def _escaped(text):
+def _escaped(text: str) -> str:
     return text.replace('|', '\\|')
 
 
-def _clean(value):
+def _clean(value: Any) -> Any:
     """The same with plain numbers, and None for nan, as JSON wants it."""
     if isinstance(value, dict):
         return {key: _clean(item) for key, item in value.items()}

@@ -1,18 +1,26 @@
 """From a study file to the plan of its runs: every bed and every run on it once, whichever groups ask for them."""
+from __future__ import annotations
+
 import dataclasses
 import hashlib
 import json
 import os
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from ..files.results import writeJson
 from ..runs.parameters import BED
 from .experiments import EXPERIMENTS
 from .studyfile import checkedSeeds
 
+if TYPE_CHECKING:
+    from ..experiments.experiment import Experiment
+    from ..typealiases import PathLike
+
 PLAN = 'plan.json'
 
 
-def planOf(study, seeds=None):
+def planOf(study: Mapping[str, Any], seeds: Sequence[int] | None = None) -> dict[str, Any]:
     """The plan of a checked `study` (see `studyfile.checkedStudy`), a dict for JSON.
 
     `runs` and `beds` hold complete parameters by their ids; ids are made of the parameters, so the same parameters give the same id in
@@ -36,7 +44,7 @@ def planOf(study, seeds=None):
     return plan
 
 
-def write(plan, folder):
+def write(plan: Mapping[str, Any], folder: PathLike) -> None:
     """Write the `plan` and the parameters of its beds and runs into the `folder`.
 
     A file that holds the same already is left alone: what was made from it stays up to date.
@@ -51,7 +59,7 @@ def write(plan, folder):
             writeJson(path, content)
 
 
-def _holds(path, content):
+def _holds(path: PathLike, content: Any) -> bool:
     try:
         with open(path, encoding='utf-8') as file:
             return file.read() == json.dumps(content, indent=2) + '\n'
@@ -59,18 +67,19 @@ def _holds(path, content):
         return False
 
 
-def _xName(group):
+def _xName(group: Mapping[str, Any]) -> str:
     return group['x'][0] if group['variants'] is None else 'variant'
 
 
-def _xPoints(group, series):
+def _xPoints(group: Mapping[str, Any], series: str) -> Iterable[Any]:
     """(x, parameters that it sets) of all points of one series."""
     if group['variants'] is not None:
         return group['variants'].items()
     return [(x, dict.fromkeys(group['series'][series][1], x)) for x in group['x'][1]]
 
 
-def _runsOf(plan, experiment, base, group, series, x, values, number, seeds):
+def _runsOf(plan: Mapping[str, Any], experiment: Experiment, base: Mapping[str, Any], group: Mapping[str, Any], series: str, x: float,
+            values: Mapping[str, Any], number: int, seeds: Sequence[int]) -> Iterator[Any]:
     """Add the runs of one point to the plan; yield its points, one a seed and one of `number` places."""
     try:
         parameters = experiment.planned({**base, **group['base'], **group['series'][series][0], **values})
@@ -84,7 +93,7 @@ def _runsOf(plan, experiment, base, group, series, x, values, number, seeds):
             yield {'series': series, 'x': x, 'seed': seed, 'place': index, 'run': run}
 
 
-def _addRun(plan, experiment, parameters):
+def _addRun(plan: Mapping[str, Any], experiment: Experiment, parameters: Mapping[str, Any]) -> str:
     """Add run and bed of the `parameters` unless they are there already; return the run's id."""
     poured, complete = parameters.part(BED), parameters.asDict()
     bed = f'{parameters.shape}-{_hash({**poured, "seed": None}, 10)}-s{parameters.seed}'
@@ -96,5 +105,5 @@ def _addRun(plan, experiment, parameters):
     return run
 
 
-def _hash(content, digits):
+def _hash(content: Any, digits: int) -> str:
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()[:digits]

@@ -2,7 +2,11 @@
 
 What a file may hold is told in docs/study.md. Messages name the place in the file, as in `groups.thickness.x = []: must not be empty`.
 """
+from __future__ import annotations
+
 import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
 
 from .. import checks
 from ..files import yamlfile
@@ -10,12 +14,16 @@ from .experiments import EXPERIMENTS
 from .figures import checkFigure
 from .findings import checkFinding
 
+if TYPE_CHECKING:
+    from ..experiments.experiment import Experiment
+    from ..typealiases import PathLike
+
 STUDY_KEYS = ('title', 'experiment', 'base', 'seeds', 'places', 'groups', 'validations')
 GROUP_KEYS = ('title', 'base', 'x', 'variants', 'xLabel', 'series', 'seeds', 'places', 'figures', 'findings')
 NAME = re.compile(r'[A-Za-z0-9][A-Za-z0-9_-]*')  # of a group: files are named after it
 
 
-def read(path):
+def read(path: PathLike) -> dict[str, Any]:
     """The checked content of the study file `path`, see `checkedStudy`.
 
     :raises ValueError: the file cannot be read, is no YAML, or asks for something that cannot be
@@ -23,7 +31,7 @@ def read(path):
     return checkedStudy(yamlfile.read('study file', path))
 
 
-def checkedStudy(content):
+def checkedStudy(content: Any) -> dict[str, Any]:
     """Check the content of a study file; the study with all optional entries filled in and numbers as numbers.
 
     :param content: dict, as read from the file
@@ -44,23 +52,23 @@ def checkedStudy(content):
     return result
 
 
-def checkedSeeds(place, values):
+def checkedSeeds(place: str, values: Any) -> list[int]:
     """`values` as a list of different whole numbers."""
     seeds = [checks.wholeNumber(place, _number(place, seed), 0) for seed in _list(place, values)]
     return _different(place, seeds)
 
 
-def _checkPlaces(experiment, key, content):
+def _checkPlaces(experiment: Experiment, key: str, content: Any) -> None:
     if 'places' in content and experiment.places is None:
         raise ValueError(f'{key} = {content["places"]!r}: a bed of the experiment {experiment.name} has no places')
 
 
-def _place(key, value):
+def _place(key: str, value: Any) -> int:
     """On how many places of a bed the impactor falls."""
     return checks.wholeNumber(key, _number(key, value), 1)
 
 
-def _places(key, value, count):
+def _places(key: str, value: Any, count: int) -> list[int]:
     """The same for each of `count` x, from one number or one for each."""
     if not isinstance(value, list):
         return [_place(key, value)] * count
@@ -69,7 +77,7 @@ def _places(key, value, count):
     return [_place(key, one) for one in value]
 
 
-def _validations(experiment, content):
+def _validations(experiment: Experiment, content: Any) -> dict[str, Any]:
     flags = _keys('validations', content, tuple(experiment.validations))
     for name, flag in flags.items():
         if not isinstance(flag, bool):
@@ -77,7 +85,7 @@ def _validations(experiment, content):
     return flags
 
 
-def _group(experiment, name, content, seeds, places):
+def _group(experiment: Experiment, name: str, content: Any, seeds: Sequence[int], places: int) -> dict[str, Any]:
     place = f'groups.{_name("groups", name)}'
     group = _keys(place, content, GROUP_KEYS)
     _checkPlaces(experiment, f'{place}.places', group)
@@ -103,7 +111,7 @@ def _group(experiment, name, content, seeds, places):
     return result
 
 
-def _checkFigureNames(groups):
+def _checkFigureNames(groups: Sequence[dict[str, Any]]) -> None:
     """All figures are files in one folder."""
     owner = {}
     for group in groups:
@@ -112,7 +120,7 @@ def _checkFigureNames(groups):
                 raise ValueError(f'groups.{group["name"]}.figures.{name}: groups.{owner[name]} has a figure of that name')
 
 
-def _x(experiment, place, content):
+def _x(experiment: Experiment, place: str, content: Any) -> tuple[str, list[Any]]:
     """(name, values) of the entry `x`: one name and its list of numbers."""
     if len(_mapping(place, content)) != 1:
         raise ValueError(f'{place} = {content!r}: must have one name, with the list of its values')
@@ -126,7 +134,7 @@ def _x(experiment, place, content):
     return name, _different(place, [_number(f'{place}.{name}', value) for value in _list(f'{place}.{name}', values)])
 
 
-def _seriesOf(experiment, place, group, xName):
+def _seriesOf(experiment: Experiment, place: str, group: Mapping[str, Any], xName: str) -> dict[str, Any]:
     """{name: (parameters, names of the parameters that take x)} of the group's series."""
     if 'series' not in group and 'variants' not in group and xName not in experiment.defaults():
         raise ValueError(f'{place}.x: {xName} is no parameter; series that say what they vary are needed')
@@ -135,7 +143,7 @@ def _seriesOf(experiment, place, group, xName):
             _oneSeries(experiment, f'{place}.series.{name}', one, xName, 'x' in group) for name, one in content.items()}
 
 
-def _oneSeries(experiment, place, content, xName, hasX):
+def _oneSeries(experiment: Experiment, place: str, content: Any, xName: str, hasX: bool) -> tuple[dict[str, Any], list[str]]:
     one = dict(_mapping(place, content, mayBeEmpty=True))
     vary = one.pop('vary', None)
     parameters = _parameters(experiment, place, one)
@@ -155,14 +163,14 @@ def _oneSeries(experiment, place, content, xName, hasX):
     return parameters, vary
 
 
-def _checkedFinding(content, group):
+def _checkedFinding(content: Any, group: Mapping[str, Any]) -> dict[str, Any]:
     """A finding that can be tested, and with the sentence to quote in the results."""
     finding = checkFinding(content, group)
     _text('paper', finding.get('paper'))
     return finding
 
 
-def _accepted(place, check, *arguments):
+def _accepted(place: str, check: Callable[..., dict[str, Any]], *arguments: Any) -> dict[str, Any]:
     """What `check(*arguments)` returns; its complaints with the place in front."""
     try:
         return check(*arguments)
@@ -170,7 +178,7 @@ def _accepted(place, check, *arguments):
         raise ValueError(f'{place}: {error}') from None
 
 
-def _parameters(experiment, place, content):
+def _parameters(experiment: Experiment, place: str, content: Any) -> dict[str, Any]:
     """`content` by present names if all its keys are parameters; their values are checked together with the others', point by point."""
     content = _accepted(place, experiment.parameters.byPresentNames, _mapping(place, content, mayBeEmpty=True))
     for name, value in content.items():
@@ -181,7 +189,7 @@ def _parameters(experiment, place, content):
     return content
 
 
-def _keys(place, content, allowed, needed=()):
+def _keys(place: str, content: Any, allowed: Sequence[str], needed: Sequence[str] = ()) -> dict[str, Any]:
     for key in _mapping(place, content, mayBeEmpty=not needed):
         if key not in allowed:
             raise ValueError(f'{place}: {key!r} is unknown; possible are {", ".join(allowed)}')
@@ -191,7 +199,7 @@ def _keys(place, content, allowed, needed=()):
     return content
 
 
-def _mapping(place, content, mayBeEmpty=False):
+def _mapping(place: str, content: Any, mayBeEmpty: bool = False) -> dict[str, Any]:
     if not isinstance(content, dict):
         raise ValueError(f'{place} = {content!r}: must be a mapping of names to values')
     if not content and not mayBeEmpty:
@@ -199,7 +207,7 @@ def _mapping(place, content, mayBeEmpty=False):
     return content
 
 
-def _list(place, content, mayBeEmpty=False):
+def _list(place: str, content: Any, mayBeEmpty: bool = False) -> list[Any]:
     if not isinstance(content, list):
         raise ValueError(f'{place} = {content!r}: must be a list')
     if not content and not mayBeEmpty:
@@ -207,26 +215,26 @@ def _list(place, content, mayBeEmpty=False):
     return content
 
 
-def _different(place, values):
+def _different(place: str, values: Sequence[Any]) -> list[Any]:
     for value in values:
         if values.count(value) > 1:
             raise ValueError(f'{place} = {values!r}: {value!r} is repeated')
     return values
 
 
-def _number(place, value):
+def _number(place: str, value: Any) -> float:
     """`value` as a float, or int where it is one; YAML's true and false are none."""
     number = checks.finite(place, value)
     return value if isinstance(value, int) else number
 
 
-def _text(place, value, mayBeEmpty=False):
+def _text(place: str, value: Any, mayBeEmpty: bool = False) -> str:
     if not isinstance(value, str) or not (value or mayBeEmpty):
         raise ValueError(f'{place} = {value!r}: must be a text')
     return value
 
 
-def _name(place, value):
+def _name(place: str, value: Any) -> str:
     if not isinstance(value, str) or not NAME.fullmatch(value):
         raise ValueError(f'{place} = {value!r}: must be made of letters, digits, - and _, files are named after it')
     return value

@@ -1,26 +1,33 @@
 """Pictures of single particle crushing, like figures 2-4 of Zhao & Chi (2023), without a display."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from ..pictures.style import COLOURS, MARKERS, newFigure, rampColours, save
 from .cutdistribution import CutDistribution
+
+if TYPE_CHECKING:
+    from ..typealiases import Floats, PathLike
 
 BINS = np.linspace(0, 1, 21)
 MIDDLES = (BINS[1:] + BINS[:-1]) / 2
 XLABEL, YLABEL = '$d/d_{max}$', 'part of the fragments [%]'
 
 
-def frequencies(values, byMass=False):
+def frequencies(values: Floats, byMass: bool = False) -> Floats:
     """Part of the fragments in each of BINS, by number or by mass [%]."""
     counts = np.histogram(values, BINS, weights=values ** 3 if byMass else None)[0]
     return 100 * counts / counts.sum()
 
 
-def exactFrequencies(exponent, ratios, byMass=False):
+def exactFrequencies(exponent: float, ratios: Floats, byMass: bool = False) -> Floats:
     distribution = CutDistribution(exponent)
     return 100 * np.diff((distribution.massOfParents if byMass else distribution.ofParents)(BINS, ratios))
 
 
-def exponents(path, runs, ratios):
+def exponents(path: PathLike, runs: Any, ratios: Any) -> None:
     """Sizes for several exponents of the cut (figure 2), by number and by mass.
 
     :param runs: {p: sizes over d_max}; :param ratios: the parents' sizes over d_max
@@ -38,7 +45,7 @@ def exponents(path, runs, ratios):
     save(figure, path)
 
 
-def repetitions(path, runs, exponent, ratios):
+def repetitions(path: PathLike, runs: Any, exponent: float, ratios: Any) -> None:
     """The same parents broken again with other seeds (figure 3). `runs`: sizes over d_max of each."""
     figure, panels = newFigure(1, 1, 6, 4)
     axes = panels[0, 0]
@@ -51,7 +58,7 @@ def repetitions(path, runs, exponent, ratios):
     save(figure, path)
 
 
-def classes(path, runs):
+def classes(path: PathLike, runs: Any) -> None:
     """Empirical distributions of parents of several classes of size (figure 4). `runs`: {(low, high) [m]: sizes over high}."""
     figure, panels = newFigure(1, 1, 6, 4)
     axes = panels[0, 0]

@@ -7,9 +7,17 @@ root of that.
 The eight fragments of one parent are not independent: they share a cut, and their volumes add up to the parent's. So no test here takes its
 significance from Kolmogorov's formula: it is found by simulating (or permuting) whole parents.
 """
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
 import numpy as np
 
 from .. import checks
+
+if TYPE_CHECKING:
+    from ..typealiases import ArrayLike, Floats, Ints
 
 GRID = 2000   # points of the distribution functions
 NODES = 4000  # of the quadrature over u
@@ -18,7 +26,7 @@ NODES = 4000  # of the quadrature over u
 class CutDistribution:
     """P(size of a fragment over its parent's <= x) for the exponent p; call it with an array of x. Its error is below 1e-4."""
 
-    def __init__(self, exponent):
+    def __init__(self, exponent: float) -> None:
         self.exponent = checks.positive('exponent', exponent)
         u = (np.arange(NODES) + 0.5) / NODES
         self._sides = np.concatenate([u ** self.exponent, 1 - u ** self.exponent])
@@ -27,31 +35,31 @@ class CutDistribution:
         shares = self._product(lambda t: np.interp(np.sqrt(np.minimum(t, 1)), roots, areas), roots ** 3)
         self._sizes, self._probabilities = roots, shares
 
-    def __call__(self, x):
+    def __call__(self, x: Any) -> Any:
         return np.interp(x, self._sizes, self._probabilities)
 
-    def massOfParents(self, x, ratios):
+    def massOfParents(self, x: float, ratios: Sequence[float]) -> float:
         """The part of the mass in fragments whose size over the common length is <= x."""
         middles, steps = (self._sizes[1:] + self._sizes[:-1]) / 2, np.diff(self._probabilities)
         masses = np.concatenate([[0], np.cumsum(8 * middles ** 3 * steps)])
         weights = np.asarray(ratios) ** 3
         return sum(weight * np.interp(np.asarray(x) / ratio, self._sizes, masses) for weight, ratio in zip(weights, ratios)) / weights.sum()
 
-    def _side(self, t):
+    def _side(self, t: Any) -> Any:
         """P(w <= t) of one side."""
         t = np.minimum(t, 1)
         return (t ** (1 / self.exponent) + 1 - (1 - t) ** (1 / self.exponent)) / 2
 
-    def _product(self, distribution, values):
+    def _product(self, distribution: Callable[[Floats], Floats], values: Any) -> Any:
         """P(w v <= value) at each of `values`, of a side w and a v with that distribution."""
         return np.array([distribution(value / self._sides).mean() for value in values])
 
-    def ofParents(self, x, ratios):
+    def ofParents(self, x: Any, ratios: ArrayLike) -> Any:
         """The same of sizes over a common length, for parents whose sizes over it are `ratios`: the mean over the parents."""
         return np.mean([self(np.asarray(x) / ratio) for ratio in ratios], axis=0)
 
 
-def draw(rng, exponent, number):
+def draw(rng: np.random.Generator, exponent: float, number: int) -> Floats:
     """Sizes of the fragments over their parents', (number, 8), by a numpy generator."""
     cut = rng.random((number, 3)) ** exponent
     sides = np.stack([cut, 1 - cut], axis=2)
@@ -59,7 +67,7 @@ def draw(rng, exponent, number):
     return np.cbrt(shares.reshape(number, 8))
 
 
-def distance(values, function):
+def distance(values: Floats, function: Callable[[Floats], Floats]) -> float:
     """Kolmogorov's distance: the largest between the values' empirical distribution and a distribution function."""
     ordered = np.sort(np.ravel(values))
     expected = function(ordered)
@@ -67,7 +75,7 @@ def distance(values, function):
     return max(np.max(expected - steps[:-1]), np.max(steps[1:] - expected))
 
 
-def agreement(sizes, exponent, parents, largest, seed=0, samples=1000):
+def agreement(sizes: Floats, exponent: float, parents: ArrayLike, largest: float, seed: int = 0, samples: int = 1000) -> tuple[float, float]:
     """Whether fragments come from the cut: Kolmogorov's distance between all `sizes` (parents, 8) [m] over `largest` [m] and the exact distribution
     for `parents` of those sizes [m], and the part of `samples` simulations of as many parents, eight fragments each, with a distance as large.
 
@@ -77,7 +85,7 @@ def agreement(sizes, exponent, parents, largest, seed=0, samples=1000):
     x = np.linspace(0, 1, GRID)
     tabled = CutDistribution(exponent).ofParents(x, ratios)
 
-    def exact(values):
+    def exact(values: Floats) -> Floats:
         return np.interp(values, x, tabled)
     found = distance(np.asarray(sizes) / largest, exact)
     rng = np.random.default_rng(seed)
@@ -85,7 +93,7 @@ def agreement(sizes, exponent, parents, largest, seed=0, samples=1000):
     return found, (1 + np.sum(np.array(simulated) >= found)) / (1 + samples)
 
 
-def sameDistribution(groups, seed=0, samples=500):
+def sameDistribution(groups: Sequence[Floats], seed: int = 0, samples: int = 500) -> tuple[float, float]:
     """Whether groups of parents have the same distribution of fragments: the largest Kolmogorov distance between a group and all of them together,
     and the part of `samples` random exchanges of whole parents between the groups with one as large.
 
@@ -98,7 +106,7 @@ def sameDistribution(groups, seed=0, samples=500):
     parentOf = np.repeat(np.arange(len(values)), values.shape[1])[order]
     together = np.arange(1, len(order) + 1) / len(order)
 
-    def largest(labels):
+    def largest(labels: Ints) -> float:
         own = labels[parentOf]
         return max(np.max(np.abs(np.cumsum(own == k) / np.sum(own == k) - together)) for k in range(len(groups)))
     found = largest(owners)

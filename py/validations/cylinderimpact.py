@@ -3,8 +3,10 @@
 Wang & Ji, Acta Phys. Sin. 67, 094501 (2018), table 1 and eqs. (15), (16); original: Kodam et al., Chem. Eng. Sci. 65, 5852 (2010).
 The angle is the one between the cylinder's axis and the plane's normal: at 0 it lands on its end, at 90 degrees on its side.
 """
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from typing import NamedTuple
 
 from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
@@ -26,11 +28,15 @@ TIME_STEP = 5e-7  # [s]
 SPEED = 1.0  # before the impact [m/s]
 RESTITUTION = 0.85
 
-Rebound = namedtuple('Rebound', 'velocity spin')
-Rebound.__doc__ = 'Motion after the impact: vertical velocity, upwards [m/s], and angular velocity [rad/s] that lifts the far side.'
+
+class Rebound(NamedTuple):
+    """Motion after the impact: vertical velocity, upwards [m/s], and angular velocity [rad/s] that lifts the far side."""
+
+    velocity: float
+    spin: float
 
 
-def closedForm(lever, mass, inertia, restitution=RESTITUTION):
+def closedForm(lever: float, mass: float, inertia: float, restitution: float = RESTITUTION) -> Rebound:
     """Rebound of a rigid body that a frictionless plane meets at the horizontal distance `lever` [m] from its centre: (15), (16).
 
     :param mass: [kg]; :param inertia: about the horizontal axis across the lever [kg m2]
@@ -40,7 +46,7 @@ def closedForm(lever, mass, inertia, restitution=RESTITUTION):
     return Rebound(restitution * SPEED - spin * lever, spin)
 
 
-def idealLever(angle):
+def idealLever(angle: float) -> float:
     """Horizontal distance [m] from the centre to the sharp corner of the ideal cylinder that hits first, r cos(phi + theta)."""
     if angle in (0, 90):
         return 0.0
@@ -48,7 +54,7 @@ def idealLever(angle):
     return r * math.cos(phi + math.radians(angle))
 
 
-def impact(angle, n1=8.0, damping=NORMAL_DAMPING):
+def impact(angle: float, n1: float = 8.0, damping: float = NORMAL_DAMPING) -> tuple[Rebound, Rebound]:
     """Let the cylinder of exponents (n1, 2) hit the plane at `angle` [degrees]; clears the scene.
 
     :returns: the measured Rebound, and the closed form's for the particle's real lever arm, mass and inertia. Flat on its end or
@@ -72,7 +78,7 @@ def impact(angle, n1=8.0, damping=NORMAL_DAMPING):
     return measured, closedForm(lever, body.state.mass, body.state.inertia[1])
 
 
-def _runFirstContact(wall, particle, limit=20000):
+def _runFirstContact(wall: int, particle: int, limit: int = 20000) -> None:
     """Run until the first contact has come and gone: the paper takes the wall away then."""
     touched = False
     for _ in range(limit):

@@ -1,7 +1,10 @@
 """A sphere against a rigid wall under the elastoplastic law: the path of force over overlap, and restitution over speed."""
+from __future__ import annotations
+
 import math
 import statistics
-from collections import namedtuple
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
 
 from yade import O, utils
 from yade.minieigenHP import Vector3
@@ -17,14 +20,24 @@ STUDENT = {2: 4.303, 3: 3.182, 4: 2.776, 5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306}
 # About aluminium; the numbers of the hardening are a plausible example, not a fit.
 ALUMINIUM = dict(young=70e9, poisson=0.33, density=2700.0, frictionAngle=0.0, yieldStress=100e6, m0=2.6, exponent=2.0)
 
-YieldPoint = namedtuple('YieldPoint', 'overlap force speed')
-YieldPoint.__doc__ = """dy [m] of (6) and fy [N] of (5) in Li, Gao, Zhang & Liu (2018), and the speed that just reaches it [m/s]."""
 
-PowerLaw = namedtuple('PowerLaw', 'exponent halfWidth factor')
-PowerLaw.__doc__ = """y = factor x^exponent; halfWidth: of the exponent's 95 % interval."""
+class YieldPoint(NamedTuple):
+    """dy [m] of (6) and fy [N] of (5) in Li, Gao, Zhang & Liu (2018), and the speed that just reaches it [m/s]."""
+
+    overlap: float
+    force: float
+    speed: float
 
 
-def yieldPoint(material, radius):
+class PowerLaw(NamedTuple):
+    """y = factor x^exponent; halfWidth: of the exponent's 95 % interval."""
+
+    exponent: float
+    halfWidth: float
+    factor: float
+
+
+def yieldPoint(material: Any, radius: float) -> YieldPoint:
     """`YieldPoint` of a sphere of `radius` [m] against a rigid wall, both of the `material`."""
     modulus = _modulus(material)
     slope = math.pi * 1.6 * material.yieldStress / (2 * modulus)
@@ -33,7 +46,7 @@ def yieldPoint(material, radius):
     return YieldPoint(overlap, force, math.sqrt(4 / 5 * force * overlap / _mass(material, radius)))
 
 
-def pressedPath(properties, radius, turningPoints, points=100):
+def pressedPath(properties: Mapping[str, Any], radius: float, turningPoints: Sequence[float], points: int = 100) -> list[list[tuple[float, float]]]:
     """Force [N] over overlap [m] of a sphere that is pressed into the wall to one overlap after the other.
 
     :param properties: attributes of the `ElastoplasticMat` of both; :param radius: [m]
@@ -51,7 +64,7 @@ def pressedPath(properties, radius, turningPoints, points=100):
     return paths
 
 
-def restitution(properties, radius, speed, steps=STEPS):
+def restitution(properties: Mapping[str, Any], radius: float, speed: float, steps: int = STEPS) -> float:
     """Speed after over speed before of a sphere that hits the wall.
 
     :param properties: attributes of the `ElastoplasticMat` of both; :param radius: [m]; :param speed: [m/s]
@@ -70,7 +83,7 @@ def restitution(properties, radius, speed, steps=STEPS):
     return sphere.state.vel[2] / speed
 
 
-def powerLaw(x, y):
+def powerLaw(x: Sequence[float], y: Sequence[float]) -> PowerLaw:
     """`PowerLaw` through positive values by least squares of their logarithms; four to ten of them."""
     logs = [math.log(value) for value in x], [math.log(value) for value in y]
     slope, intercept = statistics.linear_regression(*logs)
@@ -79,7 +92,7 @@ def powerLaw(x, y):
     return PowerLaw(slope, STUDENT[len(x) - 2] * math.sqrt(rest / spread), math.exp(intercept))
 
 
-def limitExponent(hardeningExponent):
+def limitExponent(hardeningExponent: float) -> float:
     """Exponent of the restitution over speed far above yield, (H - 3)/(H + 2): Johnson's -1/4 for H = 2.
 
     There f ~ a^H with a ~ d^(1/2). Loading takes the work v^2 ~ f d, unloading gives back f^2/a of it.
@@ -87,15 +100,15 @@ def limitExponent(hardeningExponent):
     return (hardeningExponent - 3) / (hardeningExponent + 2)
 
 
-def _modulus(material):
+def _modulus(material: Any) -> float:
     return material.young / (2 * (1 - material.poisson ** 2))
 
 
-def _mass(material, radius):
+def _mass(material: Any, radius: float) -> float:
     return 4 / 3 * math.pi * radius ** 3 * material.density
 
 
-def _scene(properties, radius):
+def _scene(properties: Mapping[str, Any], radius: float) -> Any:
     """A new scene of a wall and a sphere that touches it; the sphere."""
     radius = checks.positive('radius', radius)
     material = ElastoplasticMat(**properties)
@@ -108,7 +121,7 @@ def _scene(properties, radius):
     return sphere
 
 
-def _forceAt(sphere, radius, overlap):
+def _forceAt(sphere: Any, radius: float, overlap: float) -> float:
     sphere.state.pos = Vector3(0, 0, radius - overlap)
     O.step()
     contacts = [interaction.phys for interaction in O.interactions]

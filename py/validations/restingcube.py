@@ -1,6 +1,8 @@
 """A cube dropped on a wall or on another cube, and how well it stays where it came to rest."""
+from __future__ import annotations
+
 import math
-from collections import namedtuple
+from typing import Any, NamedTuple
 
 from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
@@ -16,8 +18,14 @@ TILT = Quaternion(Vector3(1, 2, 0).normalized(), 0.02)  # when it is let go
 REST = 1e-10  # kinetic energy, in units of the weight times the overlap, below which it is said to be at rest
 STUDY = dict(poisson=0.2, density=2500, frictionAngle=math.atan(0.4), normalDamping=0.1, tangentialDamping=0.1, rollingFriction=0.002)
 
-# Largest distance [m] and rotation [rad] from where the watch began, and kinetic energy at its end [m g d]; None: it has lost the floor.
-Drift = namedtuple('Drift', 'shift turn energy')
+
+
+class Drift(NamedTuple):
+    """Largest distance [m] and rotation [rad] from where the watch began, and kinetic energy at its end [m g d]; None: it has lost the floor."""
+
+    shift: float
+    turn: float
+    energy: float | None
 
 
 class RestingCube:
@@ -30,7 +38,7 @@ class RestingCube:
     :param material: attributes of the CurvatureMat other than those of the paper's study
     """
 
-    def __init__(self, floor, n=8, young=1e9, offset=0.24, slope=0.0, **material):
+    def __init__(self, floor: str, n: float = 8, young: float = 1e9, offset: float = 0.24, slope: float = 0.0, **material: Any) -> None:
         O.reset()
         stuff = CurvatureMat(**dict(STUDY, young=young, **material))
         self.cube = superquadric((0, 0, 0), (HALF,) * 3, n, n, material=stuff, orientation=TILT)
@@ -45,18 +53,18 @@ class RestingCube:
         O.engines = superquadricEngines(gravity=GRAVITY * down.normalized())
         O.dt = checkTimeStep(0.1 * criticalTimeStep())
 
-    def overlap(self):
+    def overlap(self) -> float | None:
         """[m]; None without a contact."""
         touching = O.interactions.has(0, 1) and O.interactions[0, 1].isReal
         return O.interactions[0, 1].geom.penetrationDepth if touching else None
 
-    def energy(self):
+    def energy(self) -> float | None:
         """Kinetic energy over weight times overlap [-]; None without a contact."""
         state, overlap = self.cube.state, self.overlap()
         kinetic = (state.mass * state.vel.squaredNorm() + state.inertia[0] * state.angVel.squaredNorm()) / 2
         return None if overlap is None else kinetic / (state.mass * GRAVITY * overlap)
 
-    def settle(self, most):
+    def settle(self, most: int) -> int | None:
         """Step until it is at rest, by 5,000 at a time; the number of steps, None when `most` were not enough."""
         while O.iter < most:
             O.run(5000, wait=True)
@@ -65,7 +73,7 @@ class RestingCube:
                 return O.iter
         return None
 
-    def watch(self, steps, looks=10):
+    def watch(self, steps: int, looks: int = 10) -> Drift:
         """`Drift` over that many steps from now, looked at `looks` times."""
         state = self.cube.state
         place, orientation = Vector3(state.pos), Quaternion(state.ori)

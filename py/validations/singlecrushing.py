@@ -1,6 +1,10 @@
 """Many particles, each broken once by `BreakageEngine`: the sizes of the fragments, as in section 1.2 of Zhao & Chi (2023)."""
+from __future__ import annotations
+
 import math
 import random
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 from yade import O, utils
@@ -9,10 +13,13 @@ from yade.wrapper import BreakableMat, BreakageEngine
 
 from .. import checks
 
+if TYPE_CHECKING:
+    from ..typealiases import Floats
+
 NOTHING_MOVES = 1e-30  # time step of the one step in which all break [s]
 
 
-def uniformSizes(low, high, number, seed):
+def uniformSizes(low: float, high: float, number: int, seed: int) -> list[float]:
     """`number` diameters [m], uniform between `low` and `high` [m]."""
     low, high = checks.positive('low', low), checks.positive('high', high)
     if low > high:
@@ -21,7 +28,7 @@ def uniformSizes(low, high, number, seed):
     return [rng.uniform(low, high) for _ in range(checks.wholeNumber('number', number, 1))]
 
 
-def breakEach(sizes, exponent, seed):
+def breakEach(sizes: Sequence[float], exponent: float, seed: int) -> Floats:
     """Break one sphere of each of these diameters [m] by the cube mode, far from each other; YADE's present scene is dropped.
 
     :param exponent: p of the cut; :param seed: of the cuts

@@ -1,16 +1,24 @@
 """Snapshots as VTK's PolyData files (.vtp) for ParaView, written and read by VTK's own classes (Debian: python3-vtk9)."""
+from __future__ import annotations
+
 import os
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..files import summed
 from ..measure import bodyarrays
 from ..mesh import surfaces
 
+if TYPE_CHECKING:
+    from ..measure.scenesnapshot import SceneSnapshot
+    from ..typealiases import ArrayLike, Floats, Ints, PathLike, Rows
+
 MISSING = 'VTK\'s Python modules are missing: install python3-vtk9, or start with tools/env --with view'
 
 
-def requireVtk():
+def requireVtk() -> None:
     """ImportError that says what to install, where VTK's modules are not there."""
     try:
         import vtkmodules.vtkIOXML  # noqa: F401
@@ -18,7 +26,7 @@ def requireVtk():
         raise ImportError(MISSING) from None
 
 
-def surfaceData(snapshot, detail=surfaces.DETAIL, normals=False):
+def surfaceData(snapshot: SceneSnapshot, detail: float = surfaces.DETAIL, normals: bool = False) -> Any:
     """vtkPolyData of the particles' surfaces; all arrays of `particleArrays` on their points."""
     surface = surfaces.particleSurfaces(snapshot.particles, detail)
     data = polyData(surface.points, polygons=surface.triangles)
@@ -30,7 +38,7 @@ def surfaceData(snapshot, detail=surfaces.DETAIL, normals=False):
     return _timed(data, snapshot)
 
 
-def particleData(snapshot):
+def particleData(snapshot: SceneSnapshot) -> Any:
     """vtkPolyData of one point a particle, with what a glyph needs: halfSizes, and orientation as ParaView's quaternion (w, x, y, z)."""
     rows = snapshot.particles
     data = polyData(rows['position'], vertices=np.arange(len(rows))[:, None])
@@ -40,7 +48,7 @@ def particleData(snapshot):
     return _timed(data, snapshot)
 
 
-def particleArrays(rows):
+def particleArrays(rows: Rows) -> dict[str, NDArray[Any]]:
     """{name: values, one row a particle} of what every file of particles has; SI units, in single precision."""
     stress = rows['stress'].reshape(-1, 9)
     return {'id': rows['id'].astype('i4'), 'kind': rows['kind'].astype('i1'), 'material': rows['material'].astype('i2'),
@@ -49,7 +57,7 @@ def particleArrays(rows):
             'octahedralStress': rows['octahedralStress'].astype('f4'), 'contacts': rows['contacts'].astype('i2')}
 
 
-def contactData(snapshot):
+def contactData(snapshot: SceneSnapshot) -> Any:
     """vtkPolyData of a line for each contact, from centre to centre; the size of the normal force also on the points, for tubes."""
     rows = snapshot.contacts
     ends = np.stack([rows['centre1'], rows['centre2']], axis=1).reshape(-1, 3)
@@ -62,7 +70,7 @@ def contactData(snapshot):
     return _timed(data, snapshot)
 
 
-def containerData(snapshot):
+def containerData(snapshot: SceneSnapshot) -> Any:
     """vtkPolyData of walls, hollow cylinders and facets, with id and kind on the triangles. What is no facet also stands as numbers in the field
     data `borders`, in the order of the columns of BORDER.
     """
@@ -76,7 +84,7 @@ def containerData(snapshot):
     return _timed(data, snapshot)
 
 
-def polyData(points, **cells):
+def polyData(points: ArrayLike, **cells: Ints) -> Any:
     """vtkPolyData of points (N, 3) and `cells`, one of vertices, lines, polygons: places of the points, (M, corners)."""
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -88,32 +96,32 @@ def polyData(points, **cells):
     return data
 
 
-def _cellArray(corners):
+def _cellArray(corners: Ints) -> Any:
     from vtkmodules.vtkCommonDataModel import vtkCellArray
     result, (number, size) = vtkCellArray(), np.shape(corners)
     result.SetData(_vtkArray(size * np.arange(number + 1, dtype='i4')), _vtkArray(np.asarray(corners, dtype='i4').ravel()))
     return result
 
 
-def _vtkArray(values):
+def _vtkArray(values: ArrayLike) -> Any:
     from vtkmodules.util.numpy_support import numpy_to_vtk
     return numpy_to_vtk(np.ascontiguousarray(values), deep=True)
 
 
-def _add(attributes, name, values):
+def _add(attributes: Any, name: str, values: ArrayLike) -> None:
     array = _vtkArray(values)
     array.SetName(name)
     attributes.AddArray(array)
 
 
-def _timed(data, snapshot):
+def _timed(data: Any, snapshot: SceneSnapshot) -> Any:
     """The data with the snapshot's time and step, as ParaView reads them."""
     _add(data.GetFieldData(), 'TimeValue', np.array([snapshot.time]))
     _add(data.GetFieldData(), 'step', np.array([snapshot.step], dtype='i8'))
     return data
 
 
-def write(path, data):
+def write(path: PathLike, data: Any) -> None:
     """Write PolyData, compressed; the file takes the place of `path` only when it is complete.
 
     :raises OSError: it could not be written
@@ -132,7 +140,7 @@ def write(path, data):
     os.replace(partial, path)
 
 
-def read(path):
+def read(path: PathLike) -> Any:
     """vtkPolyData of a .vtp file.
 
     :raises ValueError: there is none, or one that is not as `write` left it
@@ -156,19 +164,19 @@ def read(path):
     return reader.GetOutput()
 
 
-def arrays(attributes):
+def arrays(attributes: Any) -> dict[str, NDArray[Any]]:
     """{name: numpy array} of the point, cell or field data of PolyData."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     return {attributes.GetArrayName(i): vtk_to_numpy(attributes.GetArray(i)) for i in range(attributes.GetNumberOfArrays())}
 
 
-def points(data):
+def points(data: Any) -> Floats:
     """Points (N, 3) of PolyData [m]."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     return vtk_to_numpy(data.GetPoints().GetData()) if data.GetNumberOfPoints() else np.zeros((0, 3))
 
 
-def triangles(data):
+def triangles(data: Any) -> Ints:
     """Corners (M, 3) of PolyData of triangles, as places of its points."""
     from vtkmodules.util.numpy_support import vtk_to_numpy
     return vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)

@@ -1,6 +1,10 @@
 """A recorder for ParaView: an engine that writes the scene as compressed .vtp files with a .pvd time series (docs/view.md)."""
+from __future__ import annotations
+
 import os
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
+from typing import TYPE_CHECKING, Any
 
 from yade import O
 from yade.wrapper import PyRunner
@@ -12,12 +16,16 @@ from ..scene.bodies import present
 from . import polydata
 from .series import Series
 
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
+
 SERIES = ('particles', 'surfaces', 'contacts', 'container')
 PERIODS = ('iterPeriod', 'virtPeriod', 'realPeriod')
 
 
-def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfaces=True, contacts=True, container=True,
-                detail=DETAIL, normals=False, ids=None, initRun=True, label=''):
+def vtkRecorder(folder: PathLike, iterPeriod: int | None = None, virtPeriod: float | None = None, realPeriod: float | None = None,
+                surfaces: bool = True, contacts: bool = True, container: bool = True,
+                detail: float = DETAIL, normals: bool = False, ids: Sequence[int] | None = None, initRun: bool = True, label: str = '') -> PyRunner:
     """An engine for the end of `O.engines` that writes, as often as the period says, into `folder`:
 
     particles.pvd: a point for each particle with all its data; surfaces.pvd: their surfaces with the same; contacts.pvd: a line from centre to centre
@@ -56,7 +64,8 @@ def vtkRecorder(folder, iterPeriod=None, virtPeriod=None, realPeriod=None, surfa
     return PyRunner(command=command, updateGlobals=False, initRun=initRun, label=label, **periods)
 
 
-def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, normals=False, ids=None):
+def record(folder: PathLike, surfaces: bool = True, contacts: bool = True, container: bool = True, detail: float = DETAIL, normals: bool = False,
+           ids: Sequence[int] | None = None) -> None:
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
     snapshot = SceneSnapshot.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
     data = {'particles': lambda: polydata.particleData(snapshot), 'surfaces': lambda: polydata.surfaceData(snapshot, detail, normals),
@@ -65,7 +74,7 @@ def record(folder, surfaces=True, contacts=True, container=True, detail=DETAIL, 
         series.append(snapshot.step, snapshot.time, lambda path, make=data[series.name]: polydata.write(path, make()))
 
 
-def _series(folder, wanted):
+def _series(folder: str, wanted: Mapping[str, Any]) -> list[Series]:
     """The `Series` that are `wanted` ({name: bool}), particles always.
 
     :raises ValueError: one of them cannot be gone on with, and none has been changed
@@ -76,7 +85,7 @@ def _series(folder, wanted):
     return chosen
 
 
-def remove(folder):
+def remove(folder: str) -> None:
     """Remove the series that `vtkRecorder` wrote into the folder, and the folder if nothing else is in it."""
     for name in SERIES:
         Series(folder, name).remove()
@@ -84,7 +93,7 @@ def remove(folder):
         os.rmdir(folder)
 
 
-def _checkPeriods(iterPeriod, virtPeriod, realPeriod):
+def _checkPeriods(iterPeriod: Any, virtPeriod: Any, realPeriod: Any) -> dict[str, float]:
     """{name: value} of the periods that are given.
 
     :raises ValueError: none is, or one is not positive

@@ -1,16 +1,27 @@
 """A time series of files for ParaView: NAME.pvd in a folder, and the files of its moments in the folder NAME beside it."""
+from __future__ import annotations
+
 import os
 import re
-from collections import namedtuple
+from collections.abc import Callable, Sequence
 from contextlib import suppress
+from typing import TYPE_CHECKING, NamedTuple
 from xml.etree import ElementTree
 from xml.sax.saxutils import quoteattr
 
 from ..files import summed
 from ..files.wholefile import ReplacingBytes
 
-Entry = namedtuple('Entry', 'step time file')
-Entry.__doc__ = """A moment of a series: O.iter, O.time [s], file beside the .pvd."""
+if TYPE_CHECKING:
+    from ..typealiases import PathLike
+
+
+class Entry(NamedTuple):
+    """A moment of a series: O.iter, O.time [s], file beside the .pvd."""
+
+    step: int
+    time: float
+    file: str
 
 
 class Series:
@@ -20,11 +31,11 @@ class Series:
     The list is the file's: whoever goes on with a run needs nothing else.
     """
 
-    def __init__(self, folder, name):
+    def __init__(self, folder: PathLike, name: str) -> None:
         self.folder, self.name = folder, name
         self.path = os.path.join(folder, f'{name}.pvd')
 
-    def entries(self):
+    def entries(self) -> list[Entry]:
         """The moments so far, a list of `Entry`, in the order of time.
 
         :raises ValueError: a damaged .pvd
@@ -39,7 +50,7 @@ class Series:
         except (ElementTree.ParseError, KeyError, ValueError) as error:
             raise ValueError(f'{self.path}: is damaged, or another program\'s ({error}); remove it to begin anew') from None
 
-    def append(self, step, time, write):
+    def append(self, step: int, time: float, write: Callable[[str], object]) -> None:
         """Add the moment; `write(path)` makes its file. Moments that the series has at this step and later are of a run that did not go on (of
         before an O.load, or an earlier one from the start) and go, with their files.
         """
@@ -55,7 +66,7 @@ class Series:
         write(os.path.join(self.folder, file))
         self._write([*kept, Entry(step, time, file)])
 
-    def remove(self):
+    def remove(self) -> None:
         """Remove the files of the series, and its folder of moments if nothing else is in it."""
         moments = os.path.join(self.folder, self.name)
         for name in os.listdir(moments) if os.path.isdir(moments) else ():
@@ -67,14 +78,14 @@ class Series:
         with suppress(OSError):  # it is not there, or something else is in it
             os.rmdir(moments)
 
-    def _write(self, entries):
+    def _write(self, entries: Sequence[Entry]) -> None:
         moments = ''.join(f'<DataSet timestep="{entry.time!r}" part="0" file={quoteattr(entry.file)}/>\n' for entry in entries)
         content = (f'<?xml version="1.0"?>\n<VTKFile type="Collection" version="1.0" byte_order="LittleEndian">\n<Collection>\n{moments}'
                    '</Collection>\n</VTKFile>').encode()
         with ReplacingBytes(self.path) as file:
             file.write(content + summed.seal(content))
 
-    def _step(self, file):
+    def _step(self, file: str) -> int:
         """The step in the name of a file of this series."""
         found = re.fullmatch(rf'{re.escape(self.name)}/{re.escape(self.name)}\.(\d{{10,}})\.vtp', file)
         if not found:

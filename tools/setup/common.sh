@@ -11,7 +11,7 @@ die() {
 }
 
 minimumYade=2025.2      # the oldest YADE that the plugin is written for
-debianSuite=trixie      # the Debian that has it (13), for machines that do not
+debianSuite=${YADE_SUITE:-trixie}   # the Debian whose YADE is used on machines that have none themselves (trixie: 13)
 recipe=1                # raise when the way the Debian root is made changes
 
 # As ordinary users see it: a relative XDG_CACHE_HOME is invalid by its specification.
@@ -32,6 +32,9 @@ as_root() {
     die "this needs the administrator. Please ask for:" "$2"
   fi
 }
+
+# machine_suite: the code name of this system's release.
+machine_suite() { (. /etc/os-release && echo "${VERSION_CODENAME:-}"); }
 
 # packages_of SET...: the package names in tools/packages/SET, sorted, each once.
 packages_of() {

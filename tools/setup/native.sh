@@ -13,5 +13,5 @@ native_ready() {
   environment=native-$(dpkg-query -W -f '${Version}' yade)
   enter=()
   yadeVersion=$(dpkg-query -W -f '${source:Version}' yade)
-  suite=$(. /etc/os-release && echo "${VERSION_CODENAME:-}")
+  suite=$(machine_suite)
 }

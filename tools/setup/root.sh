@@ -1,6 +1,6 @@
-# The environment on other systems: a Debian 13 root in the user's cache folder, made once with
+# The environment on other systems: a Debian root in the user's cache folder, made once with
 # mmdebstrap and entered with bubblewrap (sourced by tools/env). The machine's own packages are not touched
-# beyond these two tools.
+# beyond these two tools. Roots of several releases (YADE_SUITE) stand side by side: debian-SUITE-HASH.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154
 
 root_tools() {
@@ -15,10 +15,10 @@ root_tools() {
       "usermod --add-subuids 100000-165535 --add-subgids 100000-165535 $(id -un)"
 }
 
-# root_with PACKAGE...: a finished root that has all of the packages, or nothing.
+# root_with PACKAGE...: a finished root of the suite that has all of the packages, or nothing.
 root_with() {
   local list
-  for list in "$cache"/root-*/etc/superquadric-packages; do
+  for list in "$cache/debian-$debianSuite"-*/etc/superquadric-packages; do
     case $list in *.tmp/*) continue ;; esac
     if [ -f "$list" ] && [ -z "$(comm -23 <(printf '%s\n' "$@") "$list")" ]; then
       echo "${list%/etc/*}"
@@ -53,10 +53,10 @@ make_root() {
   mv "$work" "$target"
 }
 
-# drop_roots KEEP: remove all roots but one; those in use (their lock is held) stay until the next time.
+# drop_roots KEEP: remove all roots of the suite but one; those in use (their lock is held) stay until the next time.
 drop_roots() {
   local old
-  for old in "$cache"/root-*; do
+  for old in "$cache/debian-$debianSuite"-*; do
     case $old in "$1" | *.lock | *.tmp) continue ;; esac
     [ -d "$old" ] || continue
     flock --nonblock --exclusive "$old.lock" rm -rf --one-file-system "$old" "$old.lock" ||
@@ -74,8 +74,8 @@ root_ready() {
     root_tools
     suite_lists "$debianSuite"
     own_lists
-    all=$({ printf '%s\n' "${wanted[@]}"; cat "$cache"/root-*/etc/superquadric-packages 2>/dev/null || true; } | sort -u)
-    root=$cache/root-$(printf '%s\n' "$recipe" "$debianSuite" "$(dpkg --print-architecture)" "$all" | short_hash)
+    all=$({ printf '%s\n' "${wanted[@]}"; cat "$cache/debian-$debianSuite"-*/etc/superquadric-packages 2>/dev/null || true; } | sort -u)
+    root=$cache/debian-$debianSuite-$(printf '%s\n' "$recipe" "$(dpkg --print-architecture)" "$all" | short_hash)
     make_root "$root" <<<"$all"
     drop_roots "$root"
   fi

@@ -21,16 +21,16 @@ def uniaxial(material, strain):
 
 
 def test_rings_of_two_bodies_match_and_lie_on_their_surfaces():
-    grading = mesh.grading(2e-5, 4e-4, 0.5)
-    surfaces = mesh.surfaceRadii(grading, [9e-3, 4e-3])
+    elementSizes = mesh.elementSizes(2e-5, 4e-4, 0.5)
+    surfaces = mesh.surfaceRadii(elementSizes, [9e-3, 4e-3])
     inner, outer = surfaces[4e-3], surfaces[9e-3]
     assert inner[-1] == 4e-3 and outer[-1] == 9e-3 and numpy.array_equal(inner, outer[:len(inner)])
     assert numpy.all(numpy.diff(outer) > 0)
-    fine = outer < grading.fineRadius
-    assert numpy.diff(outer[fine]) == pytest.approx(grading.ratio * outer[fine][:-1])
+    fine = outer < elementSizes.fineRadius
+    assert numpy.diff(outer[fine]) == pytest.approx(elementSizes.ratio * outer[fine][:-1])
     for radius, surface in ((5e-3, inner), (10e-3, outer), (numpy.inf, outer)):
-        r, z = mesh.nodes(radius, surface, grading.sectors)
-        assert r.shape == (len(surface), grading.sectors + 1)
+        r, z = mesh.nodes(radius, surface, elementSizes.sectors)
+        assert r.shape == (len(surface), elementSizes.sectors + 1)
         assert r[:, 0] == pytest.approx(0, abs=1e-18) and numpy.all(z >= -1e-18)
         assert r[:, -1] == pytest.approx(surface, rel=1e-12)
         if numpy.isfinite(radius):
