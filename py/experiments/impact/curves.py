@@ -6,10 +6,10 @@ from collections.abc import Iterable, Sequence
 from typing import Any
 
 import numpy
-from numpy.typing import NDArray
 
 from ...pictures.style import COLOURS, MARKERS, newFigure, rampColours
 from ...statistics.curves import FEWEST, meanCurve
+from ...typealiases import Floats
 from ..quantities import xSentence, xText
 
 RECORD = 'force.csv'  # of a run: time series of the impact
@@ -17,8 +17,7 @@ SAMPLES = 900       # of the common time axis
 BEFORE = 0.1        # ms of the axis before the first touch
 QUIET = 0.03        # of the highest mean force in the figure: a line that stays below has ended
 
-Array = NDArray[numpy.floating[Any]]
-Run = tuple[Array, Array]  # times and forces
+Run = tuple[Floats, Floats]  # times and forces
 
 
 def readRecord(path: str, staticForce: float) -> Run:

@@ -6,19 +6,17 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy
-from numpy.typing import NDArray
 
 from ...measure import contactstatistics
 from ...measure.contactstatistics import Contacts
 from ...measure.grading import Grading
 from ...pictures.style import COLOURS, newFigure, outerLegend
 from ...statistics.curves import meanCurve
+from ...typealiases import Floats
 from ..quantities import xText
 from . import case as oedometercase
 from .case import Case
 from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
-
-Array = NDArray[numpy.floating[Any]]
 
 SAMPLES = 400
 FINEST = 1e-3           # of the mass: below, the axis of sizes ends
@@ -111,7 +109,7 @@ def _lines(data: Any, series: Sequence[str], values: Sequence[Any], records: str
         yield _Line(label, COLOURS[k % len(COLOURS)], cases, frozenset(rows['bed']))
 
 
-def _drawBand(axes: Any, at: Array, curves: Sequence[tuple[Array, Array]], colour: str, unit: float, lowest: float | None = None,
+def _drawBand(axes: Any, at: Floats, curves: Sequence[tuple[Floats, Floats]], colour: str, unit: float, lowest: float | None = None,
               **style: Any) -> None:
     """Mean of `curves` [(x, y)] at `at` with its band over the beds; `unit`: of x; `lowest`: what is below is not there (on logarithmic axes)."""
     mean, half = meanCurve(curves, at)
@@ -123,12 +121,12 @@ def _drawBand(axes: Any, at: Array, curves: Sequence[tuple[Array, Array]], colou
     axes.plot(unit * at, mean, color=colour, **{'lw': 1.5, **style})
 
 
-def _finer(gradings: Sequence[Grading], sizes: Array) -> list[tuple[Array, Array]]:
+def _finer(gradings: Sequence[Grading], sizes: Floats) -> list[tuple[Floats, Floats]]:
     """[(sizes, mass finer [%])]"""
     return [(sizes, 100 * grading.finer(sizes)) for grading in gradings]
 
 
-def _shares(contacts: Contacts, numbers: Array) -> Array:
+def _shares(contacts: Contacts, numbers: Floats) -> Floats:
     """Share of the particles that have so many contacts, for each of `numbers` 0, 1, ..."""
     found = contactstatistics.numberDistribution(contacts)[1]
     return numpy.pad(found, (0, max(0, len(numbers) - len(found))))[:len(numbers)]
