@@ -1,11 +1,10 @@
 """The measured quantities that findings and figures may ask for: columns of the table, with names and units for readers."""
 from __future__ import annotations
-from typing import NamedTuple
 
 import math
 import numbers
 from collections.abc import Collection, Iterable, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 
 class Quantity(NamedTuple):

@@ -2,7 +2,6 @@
 import platform
 
 import numpy
-
 from yade import config
 
 from ..version import __version__

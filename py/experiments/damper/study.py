@@ -3,15 +3,15 @@ import os
 
 import numpy
 
-from .parameters import DamperParameters
-from .energy import CLOSED, STEADY
-from .motion import RECORD, Motion, lastPeriods, spectrum
 from ...files.results import readCsv, readJson
+from ...pictures.style import COLOURS, MARKERS, newFigure, outerLegend
 from ...runs.filenames import SUMMARY
+from ...statistics.samples import typicalValue
 from ..experiment import PROVENANCE, Experiment
 from ..quantities import axisLabel, xSentence
-from ...statistics.samples import typicalValue
-from ...pictures.style import COLOURS, MARKERS, newFigure, outerLegend
+from .energy import CLOSED, STEADY
+from .motion import RECORD, Motion, lastPeriods, spectrum
+from .parameters import DamperParameters
 
 MEASURED = {
     'number': ('particles', 'number'),

@@ -1,9 +1,9 @@
 """Studies of impacts on beds (scripts/impact.py)."""
 import math
 
-from .parameters import ImpactParameters
-from .curves import drawCurves
 from ..experiment import PROVENANCE, Experiment
+from .curves import drawCurves
+from .parameters import ImpactParameters
 
 RING = 3.0  # distance of the other places from the first, over the particles' radius: other particles take the blow there
 MEASURED = {

@@ -4,11 +4,11 @@ import os
 import numpy
 
 from ...measure import contactstatistics
-from . import case as oedometercase
-from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
+from ...pictures.style import COLOURS, newFigure, outerLegend
 from ...statistics.curves import meanCurve
 from ..quantities import xText
-from ...pictures.style import COLOURS, newFigure, outerLegend
+from . import case as oedometercase
+from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
 
 SAMPLES = 400
 FINEST = 1e-3           # of the mass: below, the axis of sizes ends

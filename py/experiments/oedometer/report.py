@@ -16,7 +16,8 @@ from ...measure.snapshot import Snapshot
 from ...pictures import attempt, renderer
 from ...runs.versions import versions
 from ...scene.engines import engine
-from . import case as oedometercase, plots
+from . import case as oedometercase
+from . import plots
 from .case import BEFORE, CONSERVED, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, SLOW, STRESS, SUMMARY, sizesOf
 from .parameters import OedometerParameters
 from .record import COLUMNS

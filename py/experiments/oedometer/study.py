@@ -1,8 +1,8 @@
 """Studies of oedometer tests (scripts/oedometer.py). The bed is a job of its own: tests that differ only in what is done to it share it."""
-from .parameters import OedometerParameters
-from .case import CONSERVED, SLOW
 from ..experiment import PROVENANCE, Experiment
+from .case import CONSERVED, SLOW
 from .curves import drawContacts, drawGradings, drawStresses
+from .parameters import OedometerParameters
 
 MEASURED = {
     'number': ('particles', 'number'),
