@@ -20,7 +20,7 @@ def shown(value: Any) -> str:
 def finite(name: str, value: Any) -> float:
     """`value` as a finite float of at most LARGEST; True, False and arrays are no numbers, texts of numbers are."""
     try:
-        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or getattr(value, 'shape', ()):
+        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or bool(getattr(value, 'shape', None)):
             raise TypeError
         number = float(value)
     except OverflowError:
@@ -114,7 +114,8 @@ def vector(name: str, value: Any, check: Callable[[str, Any], float] = finite) -
         numbers = ()
     if len(numbers) != 3:
         raise ValueError(f'{name} = {value!r}: three numbers are needed')
-    return tuple(check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
+    x, y, z = (check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
+    return x, y, z
 
 
 def extents(name: str, value: Any) -> tuple[float, float, float]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 import platform
 
 import numpy
-
 from yade import config
 
 from ..version import __version__

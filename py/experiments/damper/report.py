@@ -12,7 +12,8 @@ from ...pictures import attempt
 from ...runs.filenames import SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import engine
-from . import motion as dampermotion, plots
+from . import motion as dampermotion
+from . import plots
 from .energy import CLOSED, account, isSteady
 from .motion import RECORD, Motion
 

@@ -19,7 +19,8 @@ from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
 from ...scene.engines import engine
-from ...scene.settling import RestCriterion, setYoung, settle, stiffen as stiffenBed
+from ...scene.settling import RestCriterion, settle, setYoung
+from ...scene.settling import stiffen as stiffenBed
 from ...scene.settlingrules import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, rampSteps
 from ...scene.stepping import Interrupted
 from ...scene.walls import setHeight

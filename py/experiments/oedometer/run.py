@@ -21,7 +21,8 @@ from ...runs.staged import Stage
 from ...runs.state import BedState, later
 from ...scene.engines import engine, superquadricEngines
 from ...scene.filling import rainFilling
-from ...scene.settling import RestCriterion, settle as settleBed
+from ...scene.settling import RestCriterion
+from ...scene.settling import settle as settleBed
 from ...scene.walls import boxContainer, cylinderContainer, setHeight
 from . import report
 from .parameters import BOX, OedometerParameters
