@@ -17,7 +17,8 @@ from ...pictures import attempt, renderer
 from ...runs.filenames import BEFORE, SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import engine
-from . import case as oedometercase, plots
+from . import case as oedometercase
+from . import plots
 from .case import CONSERVED, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, SLOW, STRESS, sizesOf
 from .parameters import OedometerParameters
 from .record import COLUMNS

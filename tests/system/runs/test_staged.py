@@ -2,9 +2,9 @@
 from dataclasses import dataclass, field
 
 import pytest
-import yade.superquadric as sq
 from yade import O
 
+import yade.superquadric as sq
 from yade.superquadric import checks
 from yade.superquadric.files import sealed
 from yade.superquadric.runs.parameters import Parameters, parameter
@@ -85,6 +85,7 @@ def test_checkpointsOfAnotherVersionAreNotResumed(tmp_path, change, message):
     sealed.write(str(tmp_path / 'checkpoint.json'), {name: value for name, value in state.items() if value is not None}, ('checkpoint.yade.gz',))
     O.reset()
     O.tags['description'] = 'mine'
-    with pytest.raises(ValueError, match=f'output = .*: its checkpoint is of another version .{message}.; finish that run with .* or remove checkpoint.json'):
+    wanted = f'output = .*: its checkpoint is of another version .{message}.; finish that run with .* or remove checkpoint.json'
+    with pytest.raises(ValueError, match=wanted):
         WalkRun.resume(str(tmp_path), stream=None)
     assert O.tags['description'] == 'mine'

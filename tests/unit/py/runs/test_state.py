@@ -24,10 +24,11 @@ def test_whatIsReadIsWhatWasWritten():
 
 def test_whatNoStageHasSetIsNotThere():
     with pytest.raises(AttributeError):
-        Own(stage='pour').height
+        assert Own(stage='pour').height
 
 
-@pytest.mark.parametrize('change, message', [({'width': 1}, 'width is unknown'), ({'rows': None}, 'rows is missing'), ({'stage': None}, 'stage is missing')])
+@pytest.mark.parametrize('change, message', [
+    ({'width': 1}, 'width is unknown'), ({'rows': None}, 'rows is missing'), ({'stage': None}, 'stage is missing')])
 def test_otherVersionsAreNamed(change, message):
     content = {**Own(stage='pour', stepsLeft=3).asDict(), **change}
     with pytest.raises(ValueError, match=message):
