@@ -1,6 +1,5 @@
 """Total energy from before an event until its fragments have come apart: none is created. Many parents, each squeezed between neighbours by
-overlaps of
-contacts that push and slide, all at once and far from each other; nothing dissipates but breakage, so that every joule shows.
+overlaps of contacts that push and slide, all at once and far from each other; nothing dissipates but breakage, so that every joule shows.
 
 What rounding and the time step may do is measured by the same clusters without breakage.
 """
