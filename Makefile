@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo study study-quick test fuzz sanitize tidy bench bench-quick bench-scaling docs deb deb-test build shell clean
+.PHONY: help demo study study-quick test test-fast test-yades lint tidy ci fuzz sanitize bench bench-quick bench-scaling docs deb deb-test build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -9,8 +9,11 @@ help:
 	@echo 'make study   the 44 beds of the paper, several of each, with confidence intervals: results/study (hours; goes on where it was stopped)'
 	@echo 'make study-quick   three points a figure, one bed each: results/study-quick (12 minutes on 2 cores)'
 	@echo 'make test    all tests; the last line counts them'
+	@echo 'make test-fast   the tests that take seconds: the C++ unit tests, and what of Python needs no YADE'
+	@echo 'make test-yades  all tests on YADE 2025.2 (Debian trixie) and on YADE 2026.1 (Debian forky)'
+	@echo 'make lint    ruff, mypy, clang-format, shellcheck, clang-tidy; make ci: what the continuous integration runs, lint and test'
 	@echo 'make fuzz    many more examples of the fuzz tests: FUZZ_EXAMPLES=2000 for each (20 minutes)'
-	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour; make tidy: clang-tidy (see docs/testing.md)'
+	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour (see docs/testing.md)'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
 	@echo 'make bench-scaling   10^3 to 10^5 bodies on threads and processes: time, memory, agreement (30 minutes), see docs/scaling.md'
 	@echo 'make docs    the documentation as a site: results/docs/index.html'
@@ -33,22 +36,41 @@ study:
 study-quick:
 	@tools/env --with study python3 scripts/study.py scripts/study/quick.yaml --output results/study-quick
 
+# The packages that tests need beside the base list (tools/packages).
+testPackages = --with study --with fem --with view
+
 test:
-	@tools/env --with study --with fem --with view --target all true || { echo '0 passed, 1 failed'; exit 1; }
-	@tools/env --with study --with fem --with view tests/run
+	@tools/env $(testPackages) --target all true || { echo '0 passed, 1 failed'; exit 1; }
+	@tools/env $(testPackages) tests/run
+
+test-fast:
+	@tools/env $(testPackages) --only unit_tests tests/run --fast
+
+# The checkers are those of Debian 13 wherever they are started, so that they judge alike.
+lint:
+	@tools/ruff check
+	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/lint
+
+tidy:
+	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/tidy
+
+ci: testPackages += --with lint
+ci: lint test
+
+# On every YADE that the plugin is for, each that of a release of Debian: natively where this system is that release, else in a folder.
+test-yades:
+	@failed=; for suite in trixie forky; do echo "YADE of Debian $$suite"; YADE_SUITE=$$suite $(MAKE) --no-print-directory test || failed="$$failed $$suite"; done; \
+	  [ -z "$$failed" ] || { echo "failed on$$failed"; exit 1; }
 
 fuzz: export FUZZ_EXAMPLES ?= 2000
 fuzz: export TEST_TIME_LIMIT = 86400
 fuzz:
-	@tools/env --with study --with fem --with view tests/run tests/fuzz
+	@tools/env $(testPackages) tests/run tests/fuzz
 
 sanitize: export SANITIZE = address,undefined
 sanitize: export TEST_TIME_LIMIT = 7200
 sanitize:
-	@tools/env --with study --with fem --with view --target unit_tests --target oracle_tests tests/sanitize
-
-tidy:
-	@tools/env --with tidy tests/tidy
+	@tools/env $(testPackages) --target unit_tests --target oracle_tests tests/sanitize
 
 bench:
 	@tools/env --with bench --target kernel_bench tests/bench/run

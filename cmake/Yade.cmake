@@ -2,6 +2,9 @@
 # carries its include paths, macros and libraries.
 include(YadeFeatures)
 
+if(NOT "$ENV{YADE_EXECUTABLE}" STREQUAL "")
+  set(YADE_EXECUTABLE "$ENV{YADE_EXECUTABLE}" CACHE FILEPATH "The YADE that will load the plugin")
+endif()
 find_program(YADE_EXECUTABLE NAMES yade-double yade REQUIRED)
 
 # Without YADE_PREFIX, so that a shell inside `tools/env` describes the installed YADE, not the overlay.
@@ -16,7 +19,13 @@ foreach(key version features decimalPlaces libDir libPath suffix python)
 endforeach()
 message(STATUS "YADE ${YADE_version} in ${YADE_libDir}")
 
-if(YADE_version VERSION_LESS 2025.2)
+# A build from YADE's git has the date of its commit and the commit for a version.
+set(yadeRelease ${YADE_version})
+if(YADE_version MATCHES "^([0-9]+)-([0-9]+)-[0-9]+[.]git-([0-9a-f]+)$")
+  set(yadeRelease ${CMAKE_MATCH_1}.${CMAKE_MATCH_2})
+  set(yadeCommit ${CMAKE_MATCH_3})
+endif()
+if(yadeRelease VERSION_LESS 2025.2)
   message(FATAL_ERROR "YADE ${YADE_version} is installed (${YADE_EXECUTABLE}); 2025.2 or newer is needed.")
 endif()
 if(NOT YADE_decimalPlaces EQUAL 15)
@@ -30,13 +39,27 @@ if(NOT EXISTS ${YADE_SOURCE}/core/Scene.hpp)
   message(FATAL_ERROR "YADE_SOURCE=\"${YADE_SOURCE}\" is not a YADE source tree (it has no core/Scene.hpp). "
     "Fetch one with `apt-get source --tar-only yade` and name it with -DYADE_SOURCE=...")
 endif()
-if(NOT EXISTS ${YADE_SOURCE}/RELEASE)
+if(EXISTS ${YADE_SOURCE}/RELEASE)
+  file(STRINGS ${YADE_SOURCE}/RELEASE YADE_sourceVersion LIMIT_COUNT 1)
+elseif(DEFINED yadeCommit)
+  execute_process(COMMAND git -C ${YADE_SOURCE} rev-parse HEAD OUTPUT_VARIABLE YADE_sourceVersion OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(YADE_sourceVersion MATCHES "^${yadeCommit}")
+    set(YADE_sourceVersion ${YADE_version})
+  endif()
+else()
   message(FATAL_ERROR "${YADE_SOURCE} has no file RELEASE, so its version is unknown. Use the source of a release.")
 endif()
-file(STRINGS ${YADE_SOURCE}/RELEASE YADE_sourceVersion LIMIT_COUNT 1)
 if(NOT YADE_sourceVersion STREQUAL YADE_version)
   message(FATAL_ERROR "The installed YADE is ${YADE_version}, the source in ${YADE_SOURCE} is ${YADE_sourceVersion}. "
     "They must be the same version: the plugin shares class layouts with the binary.")
+endif()
+
+# pkg/support/YadeHeaders.hpp stands for the macros in this very file of YADE (2025.2.0 and 2026.1.0 have the same one).
+file(SHA256 ${YADE_SOURCE}/lib/serialization/Serializable.hpp classMacros)
+if(classMacros STREQUAL "cdd0ba24468287380ccf600cc98688dfa9104a13326677e69a6a918763ba335a")
+  set(yadeHeadersFirst -include ${PROJECT_SOURCE_DIR}/pkg/support/YadeHeaders.hpp)
+else()
+  message(STATUS "The class macros of this YADE are not known: the plugin takes longer to compile.")
 endif()
 
 find_package(Python3 REQUIRED COMPONENTS Development.Module)

@@ -7,7 +7,6 @@
 set(overlay ${PROJECT_BINARY_DIR}/overlay)
 set(overlayLibDir ${overlay}/${YADE_libPath})
 set(overlayPackage ${overlayLibDir}/py/yade)
-set(launchers yade yade-batch yade${YADE_suffix} yade${YADE_suffix}-batch)
 
 # link_all(<from> <to> <except>...): link all entries of a directory into another one.
 function(link_all from to)
@@ -31,10 +30,13 @@ file(CREATE_LINK ${overlayLibDir}/py ${overlay}/python SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/py ${overlayPackage}/superquadric SYMBOLIC)
 set_target_properties(superquadric PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${overlayLibDir} INSTALL_RPATH $ORIGIN)
 
-get_filename_component(YADE_binDir ${YADE_EXECUTABLE} DIRECTORY)
-foreach(launcher ${launchers})
-  configure_file(cmake/launcher.py.in ${overlay}/bin/${launcher} @ONLY
-    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+# Under YADE's own name, and as plain `yade` (which a YADE that was built from source may not have).
+foreach(name yade yade${YADE_suffix})
+  foreach(batch "" -batch)
+    set(launched ${YADE_EXECUTABLE}${batch})
+    configure_file(cmake/launcher.py.in ${overlay}/bin/${name}${batch} @ONLY
+      FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+  endforeach()
 endforeach()
 
 # For a system-wide installation the plugin goes to YADE's own places, where every `yade` finds it.

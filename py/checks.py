@@ -108,14 +108,24 @@ def oneOf(name: str, value: Any, choices: Collection[Any]) -> Any:
 
 def vector(name: str, value: Any, check: Callable[[str, Any], float] = finite) -> tuple[float, float, float]:
     """Three numbers as a tuple of floats, each accepted by `check`."""
+    x, y, z = _numbers(name, value, 3, 'three', check)
+    return x, y, z
+
+
+def pair(name: str, value: Any) -> tuple[float, float]:
+    """Two finite numbers as a tuple of floats."""
+    x, y = _numbers(name, value, 2, 'two', finite)
+    return x, y
+
+
+def _numbers(name: str, value: Any, count: int, word: str, check: Callable[[str, Any], float]) -> list[float]:
     try:
         numbers = () if isinstance(value, (str, bytes, Set, Mapping)) else tuple(value)
     except TypeError:
         numbers = ()
-    if len(numbers) != 3:
-        raise ValueError(f'{name} = {value!r}: three numbers are needed')
-    x, y, z = (check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
-    return x, y, z
+    if len(numbers) != count:
+        raise ValueError(f'{name} = {value!r}: {word} numbers are needed')
+    return [check(f'{name}[{i}]', number) for i, number in enumerate(numbers)]
 
 
 def extents(name: str, value: Any) -> tuple[float, float, float]:

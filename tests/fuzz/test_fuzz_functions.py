@@ -110,7 +110,7 @@ def test_rain(shapes, seed, speed, solidFraction, gap, sideways, keep):
 IMPACT = {'diameter': 0.02, 'density': 3000, 'speed': 5, 'dropHeight': 0.3, 'surface': 0.03, 'gravity': 9.81, 'place': (0, 0)}
 
 
-@fuzz(weight=2, values=st.fixed_dictionaries({name: anything for name in IMPACT}), keep=SEVERAL, obstacles=st.one_of(st.just([2, 3]), anything))
+@fuzz(weight=2, values=st.fixed_dictionaries({name: anything for name in IMPACT}), keep=SEVERAL, obstacles=st.one_of(st.just([2, 3]), st.just([]), anything))
 def test_impactors(values, keep, obstacles):
     material, _ = scene()
     given = mixed(values, IMPACT, keep)

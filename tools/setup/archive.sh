@@ -1,36 +1,49 @@
 # The distribution's package archives as this machine knows them (sourced by tools/env).
 #
 # Everything is asked of apt itself, which understands every way of writing its sources, and looked up
-# in lists of our own in the cache, so that neither root nor a change to the machine is needed.
+# in lists of our own, so that neither root nor a change to the machine is needed.
 # shellcheck shell=bash disable=SC2016,SC2034,SC2154
 
-# apt_in DIRECTORY: the options that make apt keep its lists and downloads in a directory.
+# apt_in NAME: the options that make apt keep its lists and downloads in a folder of this command's own, `apt`/NAME.
 apt_in() {
-  mkdir -p "$1/lists/partial" "$1/archives/partial"
-  aptOptions=(-o "Dir::State::Lists=$1/lists" -o "Dir::Cache=$1/" -o Debug::NoLocking=true
+  if [ -z "${apt:-}" ]; then
+    mkdir -p "$cache"
+    apt=$(mktemp -d "$cache/apt-XXXXXX")
+    trap 'rm -rf "$apt"' EXIT
+  fi
+  mkdir -p "$apt/$1/lists/partial" "$apt/$1/archives/partial"
+  aptOptions=(-o "Dir::State::Lists=$apt/$1/lists" -o "Dir::Cache=$apt/$1/" -o Debug::NoLocking=true
     -o "APT::Sandbox::User=$(id -un)" -o Acquire::Languages=none)
 }
 
-# repositories: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distribution's own
-# archive that this machine uses (third parties' archives are left out by their Origin).
+# forget_lists: remove what `apt_in` keeps; to be called before another program takes this one's place.
+forget_lists() { [ -z "${apt:-}" ] || rm -rf "$apt"; }
+
+# repositories DISTRIBUTION...: a line `URI RELEASE CODENAME COMPONENT SIGNED_BY` for each part of the distributions'
+# archives that this machine uses (third parties' archives are left out by their Origin).
 repositories() {
-  local distribution
-  distribution=$(. /etc/os-release && echo "$ID")
   apt-get "${aptOptions[@]}" indextargets 'Created-By: Packages' \
     --format '$(ORIGIN)|$(REPO_URI)|$(RELEASE)|$(CODENAME)|$(COMPONENT)|$(SIGNED_BY)' |
-    awk -F'|' -v want="$distribution" 'tolower($1) == want {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+    awk -F'|' -v want=" $* " 'index(want, " " tolower($1) " ") {print $2, $3, $4, $5, ($6 ~ "^/" ? $6 : "-")}' | sort -u
+}
+
+# own_repositories: those of this machine's distribution.
+own_repositories() {
+  local names
+  read -ra names <<<"$(distributions)"
+  repositories "${names[@]}"
 }
 
 # own_lists: point `aptOptions` to lists that know this machine's archives: the machine's own ones where
-# they are filled (containers often come without), else fresh ones in the cache.
+# they are filled (containers often come without), else fresh ones.
 own_lists() {
   aptOptions=()
-  [ -n "$(repositories)" ] && return
-  apt_in "$cache/apt/machine"
-  [ -n "$(repositories)" ] && return
+  [ -n "$(own_repositories)" ] && return
+  apt_in machine
+  [ -n "$(own_repositories)" ] && return
   say "asking this machine's package archives what they have (its own lists are empty)"
   apt-get "${aptOptions[@]}" update >&2 || die "apt-get update failed: see its messages above."
-  [ -n "$(repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
+  [ -n "$(own_repositories)" ] || die "this machine's apt sources (/etc/apt) name no archive of its own distribution." \
     "Add one, or name a file of Debian $debianSuite's sources in the variable YADE_APT_SOURCES."
 }
 
@@ -39,11 +52,11 @@ yade_candidate() {
   apt-cache "${aptOptions[@]}" policy yade 2>/dev/null | sed -n 's/^  Candidate: \([0-9].*\)/\1/p'
 }
 
-# keyring SIGNED_BY: the `[signed-by=...]` option with the key of the machine's own entry, or
+# keyring SIGNED_BY DISTRIBUTION: the `[signed-by=...]` option with the key of the machine's own entry, or
 # with the distribution's keyring where apt does not tell.
 keyring() {
   local file
-  for file in "$1" /usr/share/keyrings/{debian,ubuntu}-archive-keyring.{pgp,gpg}; do
+  for file in "$1" "/usr/share/keyrings/$2-archive-keyring".{pgp,gpg}; do
     if [ -f "$file" ]; then
       echo "[signed-by=$file]"
       return
@@ -51,38 +64,42 @@ keyring() {
   done
 }
 
-# source_lines TYPE SUITE: the machine's archives as lines of a sources.list for a suite. Where the suite
-# is not the machine's own, its name takes the place of the machine's codename; only the release
-# itself, its updates and its security fixes are kept.
-source_lines() {
-  local type=$1 suite=$2 uri release codename component signedBy
+# own_sources: this machine's archives as `deb-src` lines of a sources.list.
+own_sources() {
+  local uri release component signedBy
+  own_repositories | while read -r uri release _ component signedBy; do
+    echo "deb-src $(keyring "$signedBy" "$(distributions | cut -d' ' -f1)") $uri $release $component"
+  done
+}
+
+# debian_lines SUITE: `deb` lines of a sources.list for a suite of Debian: from the file that the user names, or from Debian's archives as this machine
+# knows them, with the suite's name in the place of the codename; only the release itself, its updates and its security fixes are kept. Nothing on a
+# machine that knows none (Ubuntu, say): mmdebstrap then takes Debian's public archive.
+debian_lines() {
+  local uri codename component signedBy suffix
   if [ -n "${YADE_APT_SOURCES:-}" ]; then
-    sed -n "s/^deb /$type /p" "$YADE_APT_SOURCES"
+    sed -n "s/^deb /deb /p" "$YADE_APT_SOURCES"
     return
   fi
-  repositories | while read -r uri release codename component signedBy; do
-    case $codename in
-      *-*) release=$suite-${codename#*-} ;;
-      *) release=$suite ;;
-    esac
-    case $release in
-      "$suite" | "$suite-updates" | "$suite-security")
-        echo "$type $(keyring "$signedBy") $uri $release $component" ;;
+  repositories debian | while read -r uri _ codename component signedBy; do
+    suffix=${codename#"${codename%%-*}"}
+    case $suffix in
+      '' | -updates | -security) echo "deb $(keyring "$signedBy" debian) $uri $1$suffix $component" ;;
     esac
   done | sort -u
 }
 
-# suite_lists SUITE: write the suite's source archive list, point `aptOptions` to it and fetch its index.
-suite_lists() {
-  local place=$cache/apt/$1 log
-  own_lists
-  source_lines deb-src "$1" >"$cache/sources-$1.tmp"
-  [ -s "$cache/sources-$1.tmp" ] || die "no archive for \"$1\" follows from this machine's apt sources (/etc/apt)." \
-    "Name a file with lines like \"deb ARCHIVE $1 main\" in the variable YADE_APT_SOURCES."
-  apt_in "$place"
-  mv "$cache/sources-$1.tmp" "$place/sources.list"
-  aptOptions+=(-o "Dir::Etc::SourceList=$place/sources.list" -o Dir::Etc::SourceParts=-)
-  log=$place/update.log
+# An archive may lie behind this machine's clock (a mirror, a snapshot), which apt would refuse for a suite that still changes. What it holds is signed
+# all the same.
+anyAge='Acquire::Check-Valid-Until "false"'
+
+# read_sources NAME: fetch the index of the archives whose `deb-src` lines come in, and point `aptOptions` to it.
+read_sources() {
+  local log
+  apt_in "$1"
+  cat >"$apt/$1/sources.list"
+  aptOptions+=(-o "Dir::Etc::SourceList=$apt/$1/sources.list" -o Dir::Etc::SourceParts=- -o Acquire::Check-Valid-Until=false)
+  log=$apt/$1/update.log
   if ! apt-get "${aptOptions[@]}" -o APT::Update::Error-Mode=any update >"$log" 2>&1; then
     cat "$log" >&2
     ! grep -q 'NO_PUBKEY\|not signed\|Missing key' "$log" ||
@@ -92,20 +109,29 @@ suite_lists() {
   fi
 }
 
-# fetch_headers SUITE VERSION: set `headers` to a folder with YADE's headers, taken from the source package
-# of a version (Debian's number; nothing of the source is built).
+# fetch_headers PLACE VERSION: set `headers` to a folder with YADE's headers, taken from the source package of a version (Debian's number; nothing of
+# the source is built). PLACE is the Debian folder whose archives have it, or `machine`.
 fetch_headers() {
-  local version=$2 target=$cache/yade-$2 work=$cache/yade-$2.tmp
-  headers=$target
-  [ -d "$target" ] && return
-  say "fetching YADE's headers: the source package of exactly version $version (14 MB; nothing of it is built)"
-  suite_lists "$1"
-  rm -rf "$work"
-  mkdir -p "$work/tree"
-  (cd "$work" && apt-get "${aptOptions[@]}" -qq source --tar-only --download-only "yade=$version" >&2) ||
-    die "apt has no source of YADE $version (a binary of another version is installed?)." \
-      "Unpack it yourself and name the folder in the variable YADE_SOURCE."
-  "${enter[@]}" tar -x -C "$work/tree" --strip-components=1 -f "$work"/yade_*.orig.tar.* --wildcards '*.hpp' '*.h' '*.ipp' '*/RELEASE'
-  mv "$work/tree" "$target"
-  rm -rf "$work" "$cache/apt"
+  local place=$1 version=$2 work=$cache/yade-$2.tmp
+  headers=$cache/yade-$version
+  [ ! -d "$headers" ] || return 0
+  lock "$headers.lock"
+  if [ ! -d "$headers" ]; then
+    say "fetching YADE's headers: the source package of exactly version $version (14 MB; nothing of it is built)"
+    if [ "$place" = machine ]; then
+      own_lists
+      read_sources machine-sources < <(own_sources)
+    else
+      read_sources "${place##*/}" < <(sed -n 's/^deb /deb-src /p' "$place"/etc/apt/sources.list{,.d/*.list} 2>/dev/null)
+    fi
+    rm -rf "$work"
+    mkdir -p "$work/tree"
+    (cd "$work" && apt-get "${aptOptions[@]}" -qq source --tar-only --download-only "yade=$version" >&2) ||
+      die "apt has no source of YADE $version (a binary of another version is installed?)." \
+        "Unpack it yourself and name the folder in the variable YADE_SOURCE."
+    "${enter[@]}" tar -x -C "$work/tree" --strip-components=1 -f "$work"/yade_*.orig.tar.* --wildcards '*.hpp' '*.h' '*.ipp' '*/RELEASE'
+    mv "$work/tree" "$headers"
+    rm -rf "$work"
+  fi
+  unlock
 }

@@ -42,11 +42,12 @@ def addImpactor(diameter: float, density: float, material: Any, speed: float, dr
     :param gravity: downward [m/s2]
     :param place: x and y of its centre [m]
     :returns: its id
-    :raises ValueError: it would not get as high as the highest obstacle; nothing has been added then
+    :raises ValueError: a bad value, or it would not get as high as the highest obstacle; nothing has been added then
     """
     radius = checks.positive('impactor diameter', diameter) / 2
     density, gravity = checks.positive('impactor density', density), checks.positive('gravity', gravity)
     speed, dropHeight = checks.notNegative('speed', speed), checks.notNegative('dropHeight', dropHeight)
+    surface, place = checks.finite('surface', surface), checks.pair('place', place)
     bottom = max([surface] + [top for top in map(_topBeneath(radius, place), obstacles) if top is not None]) + CLEARANCE
     startSpeed = speedAt(bottom - surface, speed, dropHeight, gravity)
     own = type(material)(**{**material.dict(), 'id': -1, 'label': '', 'density': density})

@@ -134,6 +134,15 @@ def test_dropThatEndsWithinTheParticles(material):
     assert len(O.bodies) == 1 and len(O.materials) == before
 
 
+@pytest.mark.parametrize('place', [5, (1,), (1, 2, 3), ('a', 'b'), (1j, 0), (float('nan'), 0), (10 ** 400, 0), {0: 1, 1: 2}])
+def test_placeOfTheImpactor(material, place):
+    """Also where no obstacle has to be looked for beneath it."""
+    before = len(O.materials)
+    with pytest.raises(ValueError, match='place'):
+        sq.addImpactor(0.02, 3000, material, 1, 0.3, 0.0, (), place=place)
+    assert len(O.bodies) == 0 and len(O.materials) == before
+
+
 def test_bareImpactWithoutSpeed(material):
     with pytest.raises(ValueError, match='speed = 0.0: with dropHeight = 0.0'):
         sq.bareImpact(0.02, 3000, material, 0.0, 0.0)

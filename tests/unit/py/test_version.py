@@ -1,0 +1,25 @@
+"""The version is one number: py/version.py has it, CMake (and so the package) takes it from there, the texts repeat it."""
+import re
+from pathlib import Path
+
+project = Path(__file__).resolve().parents[3]
+
+
+def only(pattern, file):
+    """What the pattern's group matches first in a file of the project."""
+    found = re.search(pattern, (project / file).read_text(encoding='utf-8'), re.MULTILINE)
+    assert found, f'{file} has nothing like {pattern}'
+    return found[1]
+
+
+def test_theTextsNameTheVersion():
+    version = only(r"^__version__ = '([\d.]+)'$", 'py/version.py')
+    assert re.fullmatch(r'\d+\.\d+\.\d+', version)
+    assert only(r'^version: (\S+)$', 'CITATION.cff') == version
+    assert only(r'^## (\d\S*)', 'CHANGELOG.md') == version
+
+
+def test_cmakeTakesItFromThere():
+    assert only(r'^file\(STRINGS (\S+) versionLine', 'CMakeLists.txt') == 'py/version.py'
+    assert only(r'^project\(\S+ VERSION (\S+)', 'CMakeLists.txt') == '${version}'
+    assert only(r'^@PROJECT_NAME@ \((\S+)-@', 'cmake/package/changelog.Debian.in') == '@PROJECT_VERSION@'
