@@ -189,7 +189,7 @@ def count(least: int) -> Check:
 
 
 def addOptions(parser: argparse.ArgumentParser, kind: type[Parameters]) -> None:
-    """An option for each of the parameters, by groups. Values stay text: the experiment's own checks turn them into numbers and name what is wrong."""
+    """An option for each of the parameters, by groups. Values stay text: the checks turn them into numbers and name what is wrong."""
     declarations = kind.declarations()
     for group, names in kind.groups().items():
         section = parser.add_argument_group(group.TITLE)

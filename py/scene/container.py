@@ -10,11 +10,11 @@ from .. import checks
 class Container(NamedTuple):
     """A container in the scene.
 
-    baseId: id of the base (a Wall at z = 0, forces on it are recorded); sideIds: ids of the side wall(s);
+    baseId: id of the base (a Wall at z = 0, forces on it are recorded), -1 of a container that is in no scene; sideIds: ids of the side wall(s);
     radius [m] of a cylinder (else None); width, depth [m] of a box along x, y (else None); height [m].
     """
 
-    baseId: int | None
+    baseId: int
     sideIds: tuple[int, ...]
     radius: float | None
     width: float | None

@@ -5,7 +5,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Mapping
-from typing import Self, TextIO
+from typing import Any, Self, TextIO
 
 from yade import O
 
@@ -37,7 +37,8 @@ class Stepper:
         self.stream, self.left = stream, left
         self.stage, self.stageSteps = '', 0
         self.steps, self.seconds = 0, 0.0
-        self._stop, self._handlers, self._lastReport = False, {}, 0.0
+        self._handlers: dict[int, Any] = {}
+        self._stop, self._lastReport = False, 0.0
 
     def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -14,18 +14,22 @@ from ...files import results
 from ...measure.bed import measureBed
 from ...measure.snapshot import Snapshot
 from ...pictures.snapshotrecorder import SnapshotRecorder
+from ...runs.filenames import BEFORE
 from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
 from ...scene.engines import engine
-from ...scene.settling import RestCriterion, setYoung, settle, stiffen as stiffenBed
+from ...scene.settling import RestCriterion, settle, setYoung
+from ...scene.settling import stiffen as stiffenBed
 from ...scene.settlingrules import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, rampSteps
 from ...scene.stepping import Interrupted
 from ...scene.walls import setHeight
 from . import pictures, report
-from .impactor import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
+from .curves import RECORD
+from .impactor import Recorder, addImpactor, bareImpact, recordImpact, supportForce
 from .parameters import ImpactParameters
 from .pouring import nextCount, rain
+from .pulse import pulse
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
@@ -104,7 +108,7 @@ def rest(run: ImpactRun) -> None:
 def measure(run: ImpactRun) -> None:
     container = setHeight(run.container, run.parameters.containerHeight)
     before = Snapshot.ofBodies(run.ids)
-    before.save(run.path(report.BEFORE))
+    before.save(run.path(BEFORE))
     run.state.bed, run.state.container = measureBed(before, container), container._asdict()
 
 
@@ -239,7 +243,7 @@ class ImpactRun(BedRun[ImpactParameters, ImpactState]):
     def writeRecord(self) -> None:
         """The record so far."""
         if self.recorder is not None:
-            results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
+            results.writeCsv(self.path(RECORD), Recorder.COLUMNS, self.recorder.rows)
 
     def say(self, text: str) -> None:
         self.stepper.say(text)
