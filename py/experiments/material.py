@@ -40,6 +40,7 @@ class Material(Parameters):
         """Cn [-], as given or as it follows from the restitution."""
         if self.normalDamping is not None:
             return self.normalDamping
+        assert self.restitution is not None  # one of the two is given
         return normalDampingFor(self.restitution)
 
     def attributes(self) -> dict[str, float]:

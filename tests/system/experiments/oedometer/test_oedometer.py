@@ -226,7 +226,8 @@ def test_fragmentsOfHeavyFragmentsHaveTheirOwnMass():
 
 
 BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('containerWidth', 0.03), ('container', 'bag'), ('shape', 'egg'),
-       ('mode', 'balls5'), ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0), ('smallestFragment', 0.015),
+       ('mode', 'balls5'), ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0),
+       ('smallestFragment', 0.015),
        ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('numericalDamping', 1), ('restitution', 0.05),
        ('sampleStrain', math.nan), ('wheels', 4)]
 
