@@ -12,7 +12,6 @@ from yade.superquadric.experiments.oedometer.run import OedometerRun
 from yade.superquadric.files import results, sealed
 from yade.superquadric.pictures import renderer
 from yade.superquadric.runs import checkpoint
-from yade.superquadric.scene.contactlaws import EFFECTIVE_MASS_ATTRIBUTE
 from yade.superquadric.scene.engines import engine
 
 SMALL = {'containerDiameter': 0.07, 'thickness': 0.012, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
@@ -76,7 +75,7 @@ def test_theLawsBoundsReachTheLaw(bed, tmp_path):
              for i, change in enumerate(({}, {'overlapLimit': 0.3}, {'effectiveMassAtContact': False}))]
     assert len(set(peaks)) == 3
     law = engine(InteractionLoop).lawDispatcher.functors[0]
-    assert getattr(law, EFFECTIVE_MASS_ATTRIBUTE) is False and law.overlapLimit == 0.1
+    assert law.effectiveMassAtContact is False and law.overlapLimit == 0.1
 
 
 def test_aStifferBaseIsInTheContactsAndInP0(bed, tmp_path):
