@@ -20,7 +20,7 @@ def shell(commands, cache):
 @contextmanager
 def held(name, cache):
     """Another command holds the lock, until the end of the block."""
-    other = shell(f'lock "$cache/{name}.lock"; echo held; read -r _ || true', cache)
+    other = shell(f'exec 2>&1; lock "$cache/{name}.lock"; echo held; read -r _ || true', cache)
     try:
         assert other.stdout.readline() == 'held\n'
         yield
