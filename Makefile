@@ -49,8 +49,7 @@ test-fast:
 
 # The checkers are those of Debian 13 wherever they are started, so that they judge alike.
 lint:
-	@tools/ruff check
-	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/lint
+	@tools/ruff check; ruff=$$?; YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/lint && exit $$ruff
 
 tidy:
 	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/tidy

@@ -10,15 +10,15 @@ import sys
 from yade import config
 
 # The libraries themselves, also when the running YADE is an overlay of links to them.
-libDir = os.path.dirname(os.path.realpath(os.path.join(config.libDir, "libyade.so")))
+libDir = os.path.dirname(os.path.realpath(os.path.join(config.libDir, 'libyade.so')))
 answers = {
-    "version": config.version,
-    "features": ";".join(config.features),
-    "decimalPlaces": config.highPrecisionDecimalPlaces,
-    "libDir": libDir,
-    "libPath": os.path.relpath(config.libDir, config.prefix),
-    "suffix": config.suffix,
-    "python": sys.executable,
+    'version': config.version,
+    'features': ';'.join(config.features),
+    'decimalPlaces': config.highPrecisionDecimalPlaces,
+    'libDir': libDir,
+    'libPath': os.path.relpath(config.libDir, config.prefix),
+    'suffix': config.suffix,
+    'python': sys.executable,
 }
 for key, value in answers.items():
-    print(f"@{key}={value}")
+    print(f'@{key}={value}')

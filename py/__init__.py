@@ -7,7 +7,10 @@
 
 SI units everywhere; z points up.
 """
+from __future__ import annotations
+
 import importlib
+from typing import Any
 
 from .renamed import oldNames
 from .version import __version__
@@ -15,7 +18,8 @@ from .version import __version__
 # Where each name is defined. It is imported when it is first asked for, so that what needs no YADE (statistics, files, studies) can be
 # imported where there is none.
 _HANDED_ON = {
-    'experiments.impact.impactor': ('Pulse', 'Recorder', 'addImpactor', 'bareImpact', 'pulse', 'recordImpact'),
+    'experiments.impact.impactor': ('Recorder', 'addImpactor', 'bareImpact', 'recordImpact'),
+    'experiments.impact.pulse': ('Pulse', 'pulse'),
     'experiments.impact.run': ('ImpactRun',),
     'materials.elastoplastic': ('elastoplasticMat',),
     'measure.bed': ('measureBed',),
@@ -51,7 +55,7 @@ __all__ = [*sorted(_PLACES), *sorted(_MODULES), '__version__']
 _oldName = oldNames(__name__, _RENAMED)
 
 
-def __getattr__(name):
+def __getattr__(name: str) -> Any:
     if name in _MODULES:
         value = importlib.import_module(f'.{_MODULES[name]}', __name__)
     elif name in _PLACES:
@@ -62,11 +66,11 @@ def __getattr__(name):
     return value
 
 
-def __dir__():
+def __dir__() -> list[str]:
     return sorted({*globals(), *__all__})
 
 
-def _handOverToPytest():
+def _handOverToPytest() -> None:
     """`python3 -m pytest` in the checkout finds this folder where pytest asks for its own module `py`: it gets that one."""
     import importlib.machinery
     import importlib.util
@@ -74,6 +78,7 @@ def _handOverToPytest():
     from pathlib import Path
     checkout = Path(__file__).resolve().parents[1]
     spec = importlib.machinery.PathFinder.find_spec('py', [folder for folder in sys.path if Path(folder).resolve() != checkout])
+    assert spec is not None and spec.loader is not None
     sys.modules['py'] = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(sys.modules['py'])
 

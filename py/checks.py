@@ -20,7 +20,7 @@ def shown(value: Any) -> str:
 def finite(name: str, value: Any) -> float:
     """`value` as a finite float of at most LARGEST; True, False and arrays are no numbers, texts of numbers are."""
     try:
-        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or getattr(value, 'shape', ()):
+        if type(value).__name__ in ('bool', 'bool_') or isinstance(value, bytes) or bool(getattr(value, 'shape', None)):
             raise TypeError
         number = float(value)
     except OverflowError:
@@ -108,22 +108,24 @@ def oneOf(name: str, value: Any, choices: Collection[Any]) -> Any:
 
 def vector(name: str, value: Any, check: Callable[[str, Any], float] = finite) -> tuple[float, float, float]:
     """Three numbers as a tuple of floats, each accepted by `check`."""
-    return _numbers(name, value, 3, 'three', check)
+    x, y, z = _numbers(name, value, 3, 'three', check)
+    return x, y, z
 
 
-def pair(name, value):
+def pair(name: str, value: Any) -> tuple[float, float]:
     """Two finite numbers as a tuple of floats."""
-    return _numbers(name, value, 2, 'two', finite)
+    x, y = _numbers(name, value, 2, 'two', finite)
+    return x, y
 
 
-def _numbers(name, value, count, word, check):
+def _numbers(name: str, value: Any, count: int, word: str, check: Callable[[str, Any], float]) -> list[float]:
     try:
         numbers = () if isinstance(value, (str, bytes, Set, Mapping)) else tuple(value)
     except TypeError:
         numbers = ()
     if len(numbers) != count:
         raise ValueError(f'{name} = {value!r}: {word} numbers are needed')
-    return tuple(check(f'{name}[{i}]', number) for i, number in enumerate(numbers))
+    return [check(f'{name}[{i}]', number) for i, number in enumerate(numbers)]
 
 
 def extents(name: str, value: Any) -> tuple[float, float, float]:

@@ -9,11 +9,11 @@ import os
 import sys
 
 from yade.superquadric import Interrupted
-from yade.superquadric.runs import commandline
-from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
-from yade.superquadric.experiments.damper.run import DamperRun
 from yade.superquadric.experiments.damper.parameters import DamperParameters
 from yade.superquadric.experiments.damper.report import FILES, text
+from yade.superquadric.experiments.damper.run import DamperRun
+from yade.superquadric.runs import commandline
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED
 from yade.superquadric.runs.parameters import addOptions
 
 

@@ -10,15 +10,17 @@ import os
 import sys
 
 from yade import O, utils
-from yade.superquadric import Interrupted, ImpactRun
-from yade.superquadric.runs import commandline
-from yade.superquadric.experiments.impact import pictures as impactpictures, report
+
+from yade.superquadric import ImpactRun, Interrupted
+from yade.superquadric.experiments.impact import pictures as impactpictures
+from yade.superquadric.experiments.impact import report
+from yade.superquadric.experiments.impact.parameters import ImpactParameters
 from yade.superquadric.pictures import renderer
-from yade.superquadric.runs.staged import DONE
-from yade.superquadric.vtk import polydata
+from yade.superquadric.runs import commandline
 from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
 from yade.superquadric.runs.parameters import addOptions
-from yade.superquadric.experiments.impact.parameters import ImpactParameters
+from yade.superquadric.runs.staged import DONE
+from yade.superquadric.vtk import polydata
 
 
 def parser():

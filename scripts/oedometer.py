@@ -10,13 +10,13 @@ import os
 import sys
 
 from yade.superquadric import Interrupted
-from yade.superquadric.runs import commandline
 from yade.superquadric.experiments.oedometer import comparison as oedometercomparison
-from yade.superquadric.pictures import renderer
-from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
-from yade.superquadric.experiments.oedometer.run import OedometerRun
 from yade.superquadric.experiments.oedometer.parameters import OedometerParameters
 from yade.superquadric.experiments.oedometer.report import FILES, text
+from yade.superquadric.experiments.oedometer.run import OedometerRun
+from yade.superquadric.pictures import renderer
+from yade.superquadric.runs import commandline
+from yade.superquadric.runs.commandline import BAD_INPUT, INTERRUPTED, parametersOf
 from yade.superquadric.runs.parameters import addOptions
 from yade.superquadric.runs.staged import DONE
 

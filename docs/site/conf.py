@@ -4,7 +4,7 @@ import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from yade.superquadric import __version__ as release  # noqa: E402
+from yade.superquadric import __version__ as release
 
 project = 'yade-superquadric'
 author = 'The yade-superquadric authors'

@@ -7,7 +7,6 @@ from docutils.statemachine import StringList
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective
 from sphinx.util.nodes import nested_parse_with_titles
-
 from yade import wrapper
 
 PKG = Path(__file__).resolve().parents[2] / 'pkg'

@@ -57,8 +57,8 @@ class SizedParticles(Particles):
 
     radius: float = parameter(5e-3, checks.positive, 'radius of the sphere that has the particle\'s volume; their mean where sizes differ', 'm')
     radiusSpread: float = parameter(0.0, within(0, 1, False), 'radii lie within (1 - spread, 1 + spread) times radius; 0: all are equal')
-    radiusDistribution: str = parameter(UNIFORM, oneOf(DISTRIBUTIONS), 'how they are distributed there: uniform, or normal with a third of the spread '
-                                        'as standard deviation, and cut')
+    radiusDistribution: str = parameter(UNIFORM, oneOf(DISTRIBUTIONS), 'how they are distributed there: uniform, or normal with a third of the '
+                                        'spread as standard deviation, and cut')
 
     @property
     def meanShape(self) -> ParticleShape:

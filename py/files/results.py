@@ -6,7 +6,7 @@ import csv
 import json
 import os
 from collections.abc import Iterable, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from .. import checks
 
@@ -69,6 +69,7 @@ class Replacing:
     def __init__(self, path: PathLike) -> None:
         self.path = checks.path('path', path)
         self.partial = f'{self.path}.part'
+        self.file: IO[Any]
 
     def __enter__(self) -> Any:
         self.file = open(self.partial, 'w', newline='', encoding='utf-8')

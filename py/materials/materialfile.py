@@ -52,7 +52,7 @@ def checked(content: Any, identified: bool = True) -> dict[str, Any]:
     """`content` of a material file, checked as by `read`."""
     needed = MATERIAL_KEYS + (('hardening',) if identified else ())
     _checkKeys('material', content, needed, MATERIAL_KEYS + ('hardening', 'fit'))
-    result = {key: _text(key, content[key]) for key in ('name', 'source')}
+    result: dict[str, Any] = {key: _text(key, content[key]) for key in ('name', 'source')}
     result.update(young=checks.positive('young', content['young']),
                   poisson=checks.within('poisson', content['poisson'], 0, 0.5, highIncluded=False),
                   density=checks.positive('density', content['density']),
@@ -143,7 +143,7 @@ def _stressStrain(rows: Any, yieldStress: float, young: float) -> list[list[floa
     """The curve as a list of pairs of floats."""
     if not isinstance(rows, list) or len(rows) < 2:
         raise ValueError(f'stressStrain = {rows!r}: must be a list of at least two [plastic strain, stress]')
-    curve = []
+    curve: list[list[float]] = []
     for i, row in enumerate(rows):
         name = f'stressStrain[{i}]'
         if not isinstance(row, list) or len(row) != 2:

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -14,12 +14,12 @@ from .snapshot import Snapshot, boxHalfHeights, gauge
 
 if TYPE_CHECKING:
     from ..typealiases import Bools, Floats
-    from .scenesnapshot import SceneSnapshot
+    from .snapshot import Snapshot
 
 MOST_VOXELS = 2e8  # a byte each
 
 
-def voxelGrid(snapshot: SceneSnapshot, container: Container, voxel: float) -> tuple[Bools, list[Floats]]:
+def voxelGrid(snapshot: Snapshot, container: Container, voxel: float) -> tuple[Bools, list[Floats]]:
     """Which voxels have their centre inside a particle.
 
     :param container: `Container`; the grid covers its base and reaches up to the highest particle
@@ -42,7 +42,7 @@ def voxelGrid(snapshot: SceneSnapshot, container: Container, voxel: float) -> tu
     return filled, centers
 
 
-def _fill(filled: Bools, centers: Sequence[Floats], origin: Floats, voxel: float, snapshot: SceneSnapshot, i: int, reach: Floats) -> None:
+def _fill(filled: Bools, centers: Sequence[Floats], origin: Floats, voxel: float, snapshot: Snapshot, i: int, reach: Floats) -> None:
     position = snapshot.positions[i]
     first = np.maximum(np.floor((position - reach - origin) / voxel).astype(int), 0)
     last = np.minimum(np.ceil((position + reach - origin) / voxel).astype(int), filled.shape)
@@ -54,7 +54,7 @@ def _fill(filled: Bools, centers: Sequence[Floats], origin: Floats, voxel: float
     filled[box] |= gauge(local, snapshot.extents[i], snapshot.exponents[i]) <= 1
 
 
-def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = None) -> dict[str, float | None]:
+def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = None) -> dict[str, Any]:
     """Thickness and packing fraction of a bed at rest.
 
     thickness [m]: mean, over all voxel columns within the container, of the height of the highest solid voxel (a
@@ -86,7 +86,7 @@ def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = N
             'innerPackingFraction': float(inner.mean()) if inner.size else None, 'voxel': float(voxel)}
 
 
-def particleVolumes(snapshot: SceneSnapshot) -> Floats:
+def particleVolumes(snapshot: Snapshot) -> Floats:
     """Exact volumes (N,) [m3]."""
     units = {tuple(pair): unitVolume(*pair) for pair in np.unique(snapshot.exponents, axis=0)}
     return snapshot.extents.prod(axis=1) * np.array([units[tuple(pair)] for pair in snapshot.exponents])
@@ -95,11 +95,13 @@ def particleVolumes(snapshot: SceneSnapshot) -> Floats:
 def _halfSizes(container: Container) -> tuple[float, float]:
     if container.radius is not None:
         return container.radius, container.radius
-    return container.width / 2, container.depth / 2
+    width, depth = container.sides
+    return width / 2, depth / 2
 
 
 def _columnsInside(container: Container, centers: Sequence[Floats], margin: float) -> Bools:
     x, y = np.meshgrid(centers[0], centers[1], indexing='ij')
     if container.radius is not None:
         return np.hypot(x, y) <= container.radius - margin
-    return (np.abs(x) <= container.width / 2 - margin) & (np.abs(y) <= container.depth / 2 - margin)
+    width, depth = container.sides
+    return (np.abs(x) <= width / 2 - margin) & (np.abs(y) <= depth / 2 - margin)

@@ -22,7 +22,6 @@ class Contacts(NamedTuple):
 def ofBodies(ids: Sequence[int]) -> Contacts:
     """`Contacts` of the particles `ids` (sorted), from the scene's last step."""
     from yade import O  # the rest of this module needs no YADE
-    ids = np.asarray(ids, dtype=int)
     numbers, sums = np.zeros(len(ids), dtype=int), np.zeros(len(ids))
     places = {int(body): place for place, body in enumerate(ids)}
     # YADE's own order of the contacts is another one after loading: the last digits of sums would differ.

@@ -8,13 +8,12 @@ import numpy as np
 if TYPE_CHECKING:
     from ..scene.container import Container
     from ..typealiases import Floats
-    from .scenesnapshot import SceneSnapshot
     from .snapshot import Snapshot
 
 LARGEST_PROTRUSION = 0.5  # of a particle's size: with more than that through a wall its centre is outside
 
 
-def protrusions(snapshot: SceneSnapshot, container: Container, top: float) -> Floats:
+def protrusions(snapshot: Snapshot, container: Container, top: float) -> Floats:
     """How far every particle's centre is outside [m]: (N,), negative inside; the largest distance to base, side walls and the plane z = `top` [m].
 
     :param snapshot: `Snapshot`; :param container: `Container`
@@ -23,7 +22,8 @@ def protrusions(snapshot: SceneSnapshot, container: Container, top: float) -> Fl
     if container.radius is not None:
         sideways = np.hypot(x, y) - container.radius
     else:
-        sideways = np.maximum(np.abs(x) - container.width / 2, np.abs(y) - container.depth / 2)
+        width, depth = container.sides
+        sideways = np.maximum(np.abs(x) - width / 2, np.abs(y) - depth / 2)
     return np.maximum.reduce([sideways, -z, z - top])
 
 

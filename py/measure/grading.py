@@ -53,7 +53,7 @@ class Grading:
     def size(self, share: float) -> float:
         """d_p [m]: the smallest size that, with all smaller ones, makes up at least the `share` p of the mass."""
         index = np.searchsorted(self.sums[1:], share * (1 - 1e-12), side='left')
-        return float(self.sizes[min(index, len(self.sizes) - 1)])
+        return float(self.sizes[min(int(index), len(self.sizes) - 1)])
 
     def meanLog(self, floor: float = 0.0) -> float:
         """Mean of ln d over the mass, sizes below `floor` [m] taken as `floor`."""
@@ -111,7 +111,7 @@ def widestGap(grading: Grading) -> tuple[float, float, float]:
     ends. A continuous grading of N particles of comparable masses leaves a factor near one; a mode of breakage with fixed sizes leaves the ratio of
     neighbouring sizes. That some mass is allowed makes the measure robust: a lone grain in the middle of a gap does not halve it.
     """
-    first, last = (np.searchsorted(grading.sums[1:], share, side='left') for share in (GAP_TAIL, 1 - GAP_TAIL))
+    first, last = (int(np.searchsorted(grading.sums[1:], share, side='left')) for share in (GAP_TAIL, 1 - GAP_TAIL))
     sizes = grading.sizes[first:min(last, len(grading.sizes) - 1) + 1]
     inside = grading.sums[first:first + len(sizes)]  # of mass below each of these sizes
     if len(sizes) < 2:

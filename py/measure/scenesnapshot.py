@@ -66,7 +66,7 @@ class SceneSnapshot:
 
         :raises ValueError: naming the file, which holds something else
         """
-        stored = arrayfile.read(path, ('particles', 'contacts', 'container', 'step', 'time'))
+        stored: dict[str, Any] = arrayfile.read(path, ('particles', 'contacts', 'container', 'step', 'time'))
         try:
             return cls(**stored)
         except ValueError as error:
@@ -122,9 +122,10 @@ def _borders(container: Container) -> Rows:
     planes = [(container.baseId, 2, 0.0)]
     if container.radius is None:
         planes += [(container.sideIds[2 * axis + place], axis, (place - 0.5) * size)
-                   for axis, size in enumerate((container.width, container.depth)) for place in (0, 1)]
+                   for axis, size in enumerate(container.sides) for place in (0, 1)]
     rows = np.zeros(len(planes) + (container.radius is not None), bodyarrays.BORDER)
     rows['orientation'][:, 3] = 1
+    row: Any
     for row, (bodyId, axis, place) in zip(rows, planes):
         row['id'], row['kind'], row['numbers'][0], row['position'][axis] = bodyId, bodyarrays.WALL, axis, place
     if container.radius is not None:

@@ -10,8 +10,7 @@ from ..files import arrayfile
 from . import bodyarrays
 
 if TYPE_CHECKING:
-    from ..typealiases import ArrayLike, Floats, PathLike
-    from .scenesnapshot import SceneSnapshot
+    from ..typealiases import ArrayLike, Floats, Ints, PathLike
 
 SHAPES = {'ids': (), 'positions': (3,), 'rotations': (3, 3), 'extents': (3,), 'exponents': (2,)}  # of its arrays, after the number of particles
 
@@ -24,6 +23,11 @@ class Snapshot:
     """
 
     ARRAYS = tuple(SHAPES)
+    ids: Ints
+    positions: Floats
+    rotations: Floats
+    extents: Floats
+    exponents: Floats
 
     def __init__(self, **arrays: ArrayLike) -> None:
         for name in self.ARRAYS:
@@ -71,7 +75,7 @@ def gauge(points: Floats, extents: Floats, exponents: Floats) -> Floats:
     return largest * (1 + ratio ** n1) ** (1 / n1)
 
 
-def boxHalfHeights(snapshot: SceneSnapshot) -> Floats:
+def boxHalfHeights(snapshot: Snapshot) -> Floats:
     """Half extents (N, 3) [m] of boxes along the scene's axes that hold the particles (of their own boxes: they are
     a little too large)."""
     return np.einsum('nij,nj->ni', np.abs(snapshot.rotations), snapshot.extents)

@@ -25,8 +25,8 @@ SIDES = 100000          # of the prisms about a cylinder, at most: each particle
 @dataclass(frozen=True)
 class Box:
     """The box between the corners `low` and `high` (x, y, z) [m], along the axes."""
-    low: tuple
-    high: tuple
+    low: tuple[float, ...]
+    high: tuple[float, ...]
 
     def __post_init__(self) -> None:
         low, high = checks.vector('low', self.low), checks.vector('high', self.high)
@@ -63,8 +63,8 @@ class Cylinder:
     that of a prism of the same cross section.
     """
     radius: float
-    base: tuple
-    top: tuple
+    base: tuple[float, ...]
+    top: tuple[float, ...]
 
     def __post_init__(self) -> None:
         object.__setattr__(self, 'radius', checks.positive('radius', self.radius))
@@ -145,8 +145,8 @@ class HalfSpaces:
 
     `planes` are pairs (n, d) of a normal and a distance [m]; n is normalised.
     """
-    planes: tuple
-    within: object
+    planes: tuple[Any, ...]
+    within: Box | Mesh
 
     def __post_init__(self) -> None:
         if not isinstance(self.within, (Box, Mesh)):
@@ -174,7 +174,9 @@ def _sequence(planes: Any) -> Iterable[Any]:
 
 def _plane(i: int, plane: Any) -> tuple[tuple[float, ...], float]:
     try:
-        normal, distance = () if isinstance(plane, (str, bytes)) else plane
+        if isinstance(plane, (str, bytes)):
+            raise TypeError
+        normal, distance = plane
     except (TypeError, ValueError):
         raise ValueError(f'planes[{i}] = {plane!r}: must be a normal and a distance') from None
     normal = checks.vector(f'planes[{i}] normal', normal)

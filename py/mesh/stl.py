@@ -18,7 +18,7 @@ from ..scene.bodies import rotation
 from .tessellation import tessellation
 
 if TYPE_CHECKING:
-    from ..typealiases import ArrayLike, Floats, PathLike
+    from ..typealiases import ArrayLike, Floats, Ints, PathLike
 
 _STL_HEADER = b'yade-superquadric'.ljust(80)
 _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('attribute', '<u2')])
@@ -27,8 +27,8 @@ _STL_TRIANGLE = np.dtype([('normal', '<f4', 3), ('corners', '<f4', (3, 3)), ('at
 @dataclass(frozen=True)
 class TriangleMesh:
     """Triangles in space; `name` is what errors call it."""
-    points: np.ndarray      #: (N, 3) [m]
-    triangles: np.ndarray   #: (M, 3) indices of points, counterclockwise seen from where they face
+    points: Floats      #: (N, 3) [m]
+    triangles: Ints   #: (M, 3) indices of points, counterclockwise seen from where they face
     name: str = 'surface'
 
     def __post_init__(self) -> None:
@@ -75,8 +75,9 @@ def stlContainer(path: PathLike, material: Any, closed: bool = True, scale: floa
     surface = readStl(path, scale, position, orientation)
     surface.check(checks.boolean('closed', closed))
     corners = [Vector3(*point) for point in surface.points]
+    triangles: Any = surface.triangles.tolist()
     return O.bodies.append([utils.facet([corners[i] for i in triangle], material=material, wire=wire, color=color, fixed=True)
-                            for triangle in surface.triangles.tolist()])
+                            for triangle in triangles])
 
 
 def writeStl(path: PathLike, surface: TriangleMesh) -> None:
@@ -128,7 +129,7 @@ def table(name: str, rows: ArrayLike, kind: type) -> NDArray[Any]:
     """`rows` as an array (N, 3) of the `kind` float64 or int32."""
     try:
         with np.errstate(invalid='ignore'):
-            result = np.ascontiguousarray(rows, dtype=kind)
+            result: NDArray[Any] = np.ascontiguousarray(rows, dtype=kind)
     except (TypeError, ValueError, OverflowError):
         result = np.empty(0)
     if result.ndim != 2 or result.shape[1] != 3:

@@ -5,17 +5,19 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy
+from numpy.typing import NDArray
 
 from .. import checks
+from ..typealiases import Floats, Ints
 
 
 @dataclass(frozen=True)
 class Tessellation:
     """A closed convex surface of triangles, in the frame of the body."""
-    points: numpy.ndarray       #: (N, 3) on the surface of the particle [m]
-    normals: numpy.ndarray      #: (N, 3) outward unit normals of the particle's surface at the points
-    triangles: numpy.ndarray    #: (M, 3) indices of points, counterclockwise seen from outside
-    error: float                #: upper bound of the largest (Hausdorff) distance between the particle's surface and the triangles [m]
+    points: Floats       #: (N, 3) on the surface of the particle [m]
+    normals: Floats      #: (N, 3) outward unit normals of the particle's surface at the points
+    triangles: Ints      #: (M, 3) indices of points, counterclockwise seen from outside
+    error: float         #: upper bound of the largest (Hausdorff) distance between the particle's surface and the triangles [m]
 
 
 def tessellation(shape: Any, error: float) -> Tessellation:
@@ -32,5 +34,8 @@ def tessellation(shape: Any, error: float) -> Tessellation:
     if not isinstance(shape, Superquadric):
         raise ValueError(f'shape = {shape!r}: must be a Superquadric or a Sphere')
     points, normals, triangles, bound = shape.tessellation(error)
-    arrays = (numpy.frombuffer(rows, kind).reshape(-1, 3) for rows, kind in ((points, float), (normals, float), (triangles, numpy.int32)))
-    return Tessellation(*arrays, bound)
+    return Tessellation(_rows(points, float), _rows(normals, float), _rows(triangles, numpy.int32), bound)
+
+
+def _rows(buffer: bytes, kind: type) -> NDArray[Any]:
+    return numpy.frombuffer(buffer, kind).reshape(-1, 3)

@@ -219,4 +219,5 @@ def _drawScale(axes: Axes, pixel: float, shape: tuple[int, ...]) -> None:
 def _pixels(figure: Figure, dpi: int) -> NDArray[Any]:
     figure.set_dpi(dpi)
     figure.canvas.draw()
-    return np.asarray(figure.canvas.buffer_rgba())[..., :3].copy()
+    canvas: Any = figure.canvas
+    return np.asarray(canvas.buffer_rgba())[..., :3].copy()

@@ -39,7 +39,8 @@ class Renderer:
         problem = missing()
         if problem:
             raise ImportError(problem)
-        self._screen = self._process = None
+        self._screen: subprocess.Popen[bytes] | None = None
+        self._process: Any = None
         self._errors = tempfile.TemporaryFile()
         try:
             self._start(self._openScreen())

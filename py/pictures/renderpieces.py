@@ -1,8 +1,8 @@
 """What a snapshot looks like: triangles and tubes with their colours, and where to look from."""
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, Self, TypeAlias
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple, Self, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,21 +28,33 @@ ROOM = 1.04            # picture over what is in it
 HEADROOM = 0.06        # of a container above the highest particle, over the particles' height
 LARGE = 2.0            # half size over the median (by volume), above which a particle is not cut away: an impactor
 
-# What colours mean: label, factor from SI, values of a snapshot.
-COLOURS = {
+
+class Scale(NamedTuple):
+    """What a colour stands for: label, factor from SI, and values of a snapshot, one a particle."""
+
+    label: str
+    factor: float
+    values: Callable[[SceneSnapshot], Floats]
+
+
+COLOURS: dict[str, Scale | None] = {
     'plain': None, 'kind': None,
-    'speed': ('speed [m/s]', 1.0, lambda snapshot: snapshot.speeds()),
-    'force': ('largest normal force [N]', 1.0, lambda snapshot: snapshot.largestForces()),
-    'pressure': ('pressure [kPa]', 1e-3, lambda snapshot: -np.trace(snapshot.particles['stress'], axis1=1, axis2=2) / 3),
-    'octahedralStress': ('octahedral shear stress [kPa]', 1e-3, lambda snapshot: snapshot.particles['octahedralStress']),
-    'contacts': ('contacts', 1.0, lambda snapshot: snapshot.particles['contacts'].astype(float)),
+    'speed': Scale('speed [m/s]', 1.0, lambda snapshot: snapshot.speeds()),
+    'force': Scale('largest normal force [N]', 1.0, lambda snapshot: snapshot.largestForces()),
+    'pressure': Scale('pressure [kPa]', 1e-3, lambda snapshot: -np.trace(snapshot.particles['stress'], axis1=1, axis2=2) / 3),
+    'octahedralStress': Scale('octahedral shear stress [kPa]', 1e-3, lambda snapshot: snapshot.particles['octahedralStress']),
+    'contacts': Scale('contacts', 1.0, lambda snapshot: snapshot.particles['contacts'].astype(float)),
 }
 CHAIN_LABEL = 'normal force of contacts [N]'
 
 
 def hasScale(colour: str | None) -> bool:
     """Whether the colour stands for numbers."""
-    return colour is not None and COLOURS[colour] is not None
+    return _scaleOf(colour) is not None
+
+
+def _scaleOf(colour: str | None) -> Scale | None:
+    return None if colour is None else COLOURS[colour]
 
 
 class Style:
@@ -61,10 +73,12 @@ class Style:
     def of(cls, snapshots: Iterable[SceneSnapshot], colour: str | None, chains: bool, cut: bool, limits: tuple[float, float] | None,
            chainLimit: float | None) -> Self:
         """The style of `snapshots`, each of which is looked at once."""
-        values, strongest, sizes, kinds, boxes = [], [], [], np.zeros((0, 4)), []
+        values: list[Floats] = []
+        strongest, sizes, kinds, boxes = [], [], np.zeros((0, 4)), []
+        scale = _scaleOf(colour)
         for snapshot in snapshots:
-            if limits is None and hasScale(colour):
-                values.append(COLOURS[colour][1] * COLOURS[colour][2](snapshot))
+            if limits is None and scale is not None:
+                values.append(scale.factor * scale.values(snapshot))
             forces = snapshot.normalForces()
             strongest.append(_quantile(forces[np.isfinite(forces)], TOP_SHARE))
             if len(snapshot.particles):
@@ -72,9 +86,9 @@ class Style:
             kinds = np.unique(np.concatenate([kinds, _shapes(snapshot)]), axis=0)
             boxes.append(_particleBox(snapshot))
         if values:
-            values = np.concatenate(values)
-            values = values[np.isfinite(values)]
-            limits = (min(_quantile(values, 1 - TOP_SHARE), 0.0), _quantile(values, TOP_SHARE))
+            numbers = np.concatenate(values)
+            numbers = numbers[np.isfinite(numbers)]
+            limits = (min(_quantile(numbers, 1 - TOP_SHARE), 0.0), _quantile(numbers, TOP_SHARE))
         if chains and chainLimit is None:
             chainLimit = max(strongest)
         box = np.array([np.min(boxes, axis=0)[0], np.max(boxes, axis=0)[1]])
@@ -84,9 +98,10 @@ class Style:
         """List of (matplotlib's ScalarMappable, label)."""
         from matplotlib.cm import ScalarMappable
         result = []
-        if self.limits is not None:
-            result.append((ScalarMappable(_norm(self.limits), 'viridis'), COLOURS[self.colour][0]))
-        if self.chains:
+        scale = _scaleOf(self.colour)
+        if self.limits is not None and scale is not None:
+            result.append((ScalarMappable(_norm(self.limits), 'viridis'), scale.label))
+        if self.chainLimit is not None and self.chains:
             result.append((ScalarMappable(_norm((0, self.chainLimit)), _chainColours()), CHAIN_LABEL))
         return result
 
@@ -99,8 +114,9 @@ class Style:
             _, places = np.unique(np.concatenate([self.kinds, _shapes(snapshot)]), axis=0, return_inverse=True)
             return _bytes(KINDS[places.ravel()[len(self.kinds):] % len(KINDS)])
         mappable, _ = self.bars()[0]
-        label, factor, values = COLOURS[self.colour]
-        return mappable.to_rgba(factor * values(snapshot), bytes=True)[:, :3]
+        scale = _scaleOf(self.colour)
+        assert scale is not None, self.colour
+        return mappable.to_rgba(scale.factor * scale.values(snapshot), bytes=True)[:, :3]
 
 
 def pieces(snapshot: SceneSnapshot, style: Style, eye: Mapping[str, Any], size: tuple[int, int]) -> list[dict[str, Any]]:
@@ -149,12 +165,13 @@ def _details(particles: Rows, pixel: float) -> Floats:
 def _chains(snapshot: SceneSnapshot, style: Style, plane: Plane | None) -> list[dict[str, Any]]:
     """Tubes from centre to centre, of a section in proportion to the force."""
     forces, rows = snapshot.normalForces(), snapshot.contacts
-    strong = forces > WEAK * style.chainLimit
+    limit = style.chainLimit or 0.0
+    strong = forces > WEAK * limit
     if plane is not None:
         strong &= (rows['point'] - plane[0]) @ plane[1] > 0
     if not strong.any():
         return []
-    share, mappable = np.clip(forces[strong] / style.chainLimit, 0, 1), style.bars()[-1][0]
+    share, mappable = np.clip(forces[strong] / limit, 0, 1), style.bars()[-1][0]
     ends = np.stack([rows['centre1'], rows['centre2']], axis=1)[strong].reshape(-1, 3)
     return [dict(points=ends, lines=np.arange(len(ends)).reshape(-1, 2), radii=np.repeat(style.thickest * np.sqrt(share), 2),
                  colours=np.repeat(mappable.to_rgba(forces[strong], bytes=True)[:, :3], 2, axis=0))]

@@ -49,7 +49,7 @@ def _mesh(piece: Mapping[str, Any]) -> Any:
     return mesh.tube(scalars='radius', absolute=True, n_sides=12, capping=True)
 
 
-def _coloured(mesh: Any, piece: dict[str, Any]) -> Any:
+def _coloured(mesh: Any, piece: Mapping[str, Any]) -> Any:
     if 'colours' in piece:
         mesh.point_data['colour'] = piece['colours']
     return mesh

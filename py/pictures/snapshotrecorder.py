@@ -28,9 +28,10 @@ class SnapshotRecorder:
         self.folder, self.series, self.start, self.period = folder, series, start, period
         for path in filter(None, (folder, series)):
             os.makedirs(path, exist_ok=True)
-        for number in () if folder is None else _numbers(folder):
-            if number > self._number(O.time - O.dt / 2):
-                os.remove(_path(folder, number))
+        if folder is not None:
+            for number in _numbers(folder):
+                if number > self._number(O.time - O.dt / 2):
+                    os.remove(_path(folder, number))
 
     def sample(self) -> None:
         """Take a snapshot if the last step went past the time of one."""
@@ -49,16 +50,16 @@ class SnapshotRecorder:
     def snapshots(self) -> SnapshotSequence:
         """The `SnapshotSequence` so far; empty if the first ones were not taken."""
         numbers = [] if self.folder is None else _numbers(self.folder)
-        return SnapshotSequence(self.folder, self.period, numbers if numbers[:1] == [0] else [])
+        return SnapshotSequence(self.folder or '', self.period, numbers if numbers[:1] == [0] else [])
 
 
-class SnapshotSequence(Sequence):
+class SnapshotSequence(Sequence[SceneSnapshot]):
     """SnapshotSequence in a folder in the order of time, each read when it is asked for: all of a large bed would not fit into memory.
 
     :ivar times: when they were taken, to a time step [s]; from the first one
     """
 
-    def __init__(self, folder: str | None, period: float, numbers: Sequence[int]) -> None:
+    def __init__(self, folder: str, period: float, numbers: Sequence[int]) -> None:
         self.folder, self.period, self.numbers = folder, period, numbers
         self.times = [number * period for number in numbers]
 

@@ -39,7 +39,7 @@ def newFigure(columns: int, rows: int, width: float, height: float, **sharing: A
 
 def outerLegend(figure: Figure, panels: Any, columns: int = 6) -> None:
     """One legend for all panels, above them, with what is labelled in any, in at most `columns` columns."""
-    found = {}
+    found: dict[str, Any] = {}
     for axes in panels:
         for handle, label in zip(*axes.get_legend_handles_labels()):
             found.setdefault(label, handle)

@@ -207,9 +207,10 @@ class Contact:
 
         :raises NotConverged: the matrix is singular
         """
-        blocks, springs = [], sparse.diags(self.copies * spring)
-        for body, matrix, mine in zip(self.bodies, matrices, self.interface.interpolations):
-            row = [mine.T @ springs @ other for other in self.interface.interpolations]
+        blocks: list[list[Any]] = []
+        springs = sparse.diags(self.copies * spring)
+        for body, matrix, own in zip(self.bodies, matrices, self.interface.interpolations):
+            row = [own.T @ springs @ other for other in self.interface.interpolations]
             row[len(blocks)] = row[len(blocks)] + matrix
             blocks.append([block[body.free][:, partner.free] for block, partner in zip(row, self.bodies)])
         load = numpy.concatenate([load[body.free] for load, body in zip(loads, self.bodies)])
@@ -238,7 +239,7 @@ class Contact:
         scale = self.largest or force or numpy.finfo(float).tiny
         return System(residuals, matrices, self.stiffness * weights * (pressure > 0), states, force, error / scale)
 
-    def _accept(self, approach: float, displacements: Sequence[Floats], system: System) -> None:
+    def _accept(self, approach: float, displacements: list[Floats], system: System) -> None:
         self._last = self.approach, self.displacements
         self.approach, self.displacements, self.largest = approach, displacements, max(system.force, self.largest)
         for body, state in zip(self.bodies, system.states):

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 class Curve(NamedTuple):
     """One path of a case: effective radius [m], hertz.YieldPoint, E* [Pa], and arrays of overlap d [m], force [N], half-width a [m]."""
 
-    name: Floats
+    name: str
     radius: float
     yieldPoint: YieldPoint
     modulus: float

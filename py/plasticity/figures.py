@@ -28,11 +28,11 @@ ROUNDING = 1e-9   # of an overlap that is the same
 DPI, SHADES = 120, 160   # of the PNG: a third of the bytes of full colour
 
 
-def hertzPicture(path: PathLike, curves: Mapping[str, Curve]) -> None:
+def hertzPicture(path: PathLike, curves: Sequence[Curve]) -> None:
     """Elastic cases against Hertz: force over half-width, and the relative departures."""
     figure, ((left, right),) = newFigure(2, 1, 4.6, 3.8)
     for i, curve in enumerate(curves):
-        style = dict(marker=MARKERS[i], ms=5.5, color=COLOURS[i], mec='white', mew=0.7)
+        style: dict[str, Any] = dict(marker=MARKERS[i], ms=5.5, color=COLOURS[i], mec='white', mew=0.7)
         left.plot(1e3 * curve.halfWidth, curve.force, ls='', label=curve.name, zorder=3, **style)
         left.plot(1e3 * hertz.halfWidth(curve.modulus, curve.radius, curve.force), curve.force, color=GREY, lw=1.2)
         force, halfWidth = hertz.errors(curve)
@@ -95,7 +95,7 @@ def collapsePicture(path: PathLike, curves: Sequence[Curve], law: Fit, disc: Fit
 def _drawCase(above: Axes, below: Axes, fit: Fit, points: Points, i: int, label: str) -> None:
     """One case's points, its fitted curve and its errors; open marks, the later cases' smaller, as they lie on each other."""
     model = fits.force([fit.constants[name] for name in fits.CONSTANTS], points.ratio, points.excess)
-    style = dict(ls='', marker=MARKERS[i], ms=9 - 1.5 * i, mfc='none', mec=COLOURS[i], mew=1, zorder=3)
+    style: dict[str, Any] = dict(ls='', marker=MARKERS[i], ms=9 - 1.5 * i, mfc='none', mec=COLOURS[i], mew=1, zorder=3)
     above.plot(points.excess, points.force - 1, label=label, **style)
     above.plot(points.excess, model - 1, color=GREY, lw=1.2)
     below.plot(points.excess, 100 * (model / points.force - 1), **style)

@@ -61,7 +61,7 @@ def points(curves: Sequence[Curve], halfWidth: Callable[[Curve], Floats] = nomin
 
 def force(constants: ArrayLike, ratio: Any, excess: Any) -> Any:
     """fN/fy of (10); `constants` m0, m1, m2, H in this order."""
-    m0, m1, m2, exponent = constants
+    m0, m1, m2, exponent = numpy.asarray(constants)
     return 1 + (m0 + ratio * (m1 + ratio * m2)) * excess**exponent
 
 

@@ -43,7 +43,7 @@ def force(modulus: float, radius: float, overlap: Any) -> Any:
     return 4 / 3 * modulus * numpy.sqrt(radius) * overlap**1.5
 
 
-def halfWidth(modulus: float, radius: float, force: float) -> float:
+def halfWidth(modulus: float, radius: float, force: Any) -> Any:
     """Radius of the disc of contact under a force [m]."""
     return numpy.cbrt(3 * force * radius / (4 * modulus))
 

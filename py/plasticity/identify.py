@@ -75,7 +75,7 @@ class Identification:
     def write(self, folder: PathLike, name: str) -> None:
         """Write the material file `folder`/`name`.yaml, tables (CSV), pictures and page.md."""
         os.makedirs(folder, exist_ok=True)
-        place = lambda file: os.path.join(folder, file)
+        place: Callable[[str], str] = lambda file: os.path.join(folder, file)
         writeCurves(place('elastic.csv'), self.elastic)
         writeCurves(place('loading.csv'), self.curves)
         writeCurves(place('unloading.csv'), [curve for result in self.results for curve in result.unloading])

@@ -34,19 +34,19 @@ def text(found: Identification) -> str:
                         _convergence(found), _unloading(found)]) + '\n'
 
 
-def _table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> list[str]:
+def _table(columns: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
     """Markdown table of texts."""
     return '\n'.join(f'| {" | ".join(cells)} |' for cells in (columns, ['---'] * len(columns), *rows))
 
 
-def _header(found: Identification) -> list[str]:
+def _header(found: Identification) -> str:
     material, curve = found.material, found.curves[0]
     return (f'{material["source"].strip()}\n\nE = {material["young"] / 1e9:.4g} GPa, nu = {material["poisson"]:.3g}, '
             f'rho = {material["density"]:.4g} kg/m^3, sigma_y = {material["yieldStress"] / 1e6:.4g} MPa; '
             f'dy/R = {curve.yieldPoint.overlap / curve.radius:.3g}, ay/R = {curve.yieldPoint.contactRadius / curve.radius:.3g}.')
 
 
-def _constants(found: Identification) -> list[str]:
+def _constants(found: Identification) -> str:
     kinds = (('sqrt(R d): the law in YADE', found.law), ('sqrt(R d), G without R', found.constant), ('half-width of the finite elements', found.disc))
     rows = [[name, *(_bracketed(fit, constant) for constant in fits.CONSTANTS), f'{100 * fit.rms:.2f} %', f'{100 * fit.largest:.1f} %']
             for name, fit in kinds]
@@ -64,13 +64,13 @@ def _bracketed(fit: Fit, name: str) -> str:
     return f'{value:.4g}' if low == high else f'{value:.4g} [{low:.3g}, {high:.3g}]'
 
 
-def _dependence(fit: Fit) -> list[str]:
+def _dependence(fit: Fit) -> str:
     nil = [name for name in ('m1', 'm2') if fit.intervals[name][0] <= 0 <= fit.intervals[name][1]]
     said = f'{" and ".join(nil)} cannot be told from zero.' if nil else 'that m1 and m2 are not zero is the finite size of the spheres, and the mesh.'
     return 'Without a length in the material G cannot depend on R, as fy goes with R^2 and ay with R; ' + said
 
 
-def _cases(found: Identification) -> list[str]:
+def _cases(found: Identification) -> str:
     rows = []
     for result in found.results:
         curve = result.loading
@@ -83,7 +83,7 @@ def _cases(found: Identification) -> list[str]:
     return '## Cases\n\n' + _table(columns, rows)
 
 
-def _hertz(found: Identification) -> list[str]:
+def _hertz(found: Identification) -> str:
     rows = []
     for curve in found.elastic:
         force, halfWidth = hertz.errors(curve)
@@ -96,7 +96,7 @@ def _worst(errors: Any) -> str:
     return f'{100 * errors[numpy.argmax(numpy.abs(errors))]:+.2f} %'
 
 
-def _convergence(found: Identification) -> list[str]:
+def _convergence(found: Identification) -> str:
     finest = found.convergence[max(found.convergence)][1]
     rows = []
     for fineness, (unknowns, curve) in sorted(found.convergence.items()):
@@ -109,7 +109,7 @@ def _convergence(found: Identification) -> list[str]:
     return '\n\n'.join(['## Mesh', about, table, '![mesh convergence](convergence.png)'])
 
 
-def _unloading(found: Identification) -> list[str]:
+def _unloading(found: Identification) -> str:
     constants = [found.law.constants[name] for name in fits.CONSTANTS]
     rows = [[one.case, f'{one.largest:.3g}', f'{one.halfWidth:.2f}', f'{one.residual:.3f}', f'{one.law:.3f}', f'{one.original:.3f}',
              f'{one.disc:.3f}', f'{one.returned**0.5:.3f}', f'{one.lawReturned**0.5:.3f}',

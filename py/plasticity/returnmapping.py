@@ -67,6 +67,7 @@ class Material:
 
         On a curve of straight pieces that is a look-up, as 3 G p + stress(p) grows with p.
         """
+        assert self._curve is not None, 'the material is elastic'
         strain, stress = self._curve
         lookUp = 3 * self.shear * strain + stress
         target = mises + 3 * self.shear * before

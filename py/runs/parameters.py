@@ -13,7 +13,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
@@ -171,7 +171,7 @@ def optional(check: Check) -> Check:
     return lambda name, value: None if value is None else check(name, value)
 
 
-def oneOf(choices: Iterable[str]) -> Check:
+def oneOf(choices: Collection[str]) -> Check:
     return lambda name, value: checks.oneOf(name, value, choices)
 
 
@@ -189,7 +189,7 @@ def count(least: int) -> Check:
 
 
 def addOptions(parser: argparse.ArgumentParser, kind: type[Parameters]) -> None:
-    """An option for each of the parameters, by groups. Values stay text: the experiment's own checks turn them into numbers and name what is wrong."""
+    """An option for each of the parameters, by groups. Values stay text: the checks turn them into numbers and name what is wrong."""
     declarations = kind.declarations()
     for group, names in kind.groups().items():
         section = parser.add_argument_group(group.TITLE)

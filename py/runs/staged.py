@@ -108,7 +108,8 @@ class StagedRun(Generic[P, S]):
                 raise ValueError(f'output = {output!r}: its checkpoint is of another version ({error}); finish that run with the version that '
                                  f'began it, or remove {CHECKPOINT} to begin anew') from None
 
-        return cls(output, *checkpoint.load(output, decode), stream)
+        parameters, state = checkpoint.load(output, decode)
+        return cls(output, parameters, state, stream)
 
     def encoded(self) -> dict[str, Any]:
         """Parameters and state for JSON."""

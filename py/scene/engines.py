@@ -128,7 +128,7 @@ def engine(kind: type, engines: Iterable[Any] | None = None) -> Any:
 def solverCounters(reset: bool = False) -> dict[str, int]:
     """What the solvers have met so far in all pairs with a superquadric, walls included, as a dict (see
     `Ig2_Superquadric_Superquadric_SuperquadricGeom.counters`), since the scene was made or loaded, or since the last call with `reset`."""
-    total = Counter()
+    total: Counter[str] = Counter()
     for functor in engine(InteractionLoop).geomDispatcher.functors:
         if hasattr(functor, 'counters'):
             total.update(functor.counters())

@@ -21,7 +21,7 @@ import sys
 import traceback
 from collections.abc import Callable, Sequence
 from functools import cache
-from typing import Any
+from typing import Any, ClassVar
 
 from yade import O, config
 from yade.minieigenHP import Vector3
@@ -221,7 +221,7 @@ class Totals:
     """
 
     COMMAND = f"sys.modules['{__name__}'].Totals._all"  # of the scene's PyRunner, which has the number in this list:
-    _all = []
+    _all: ClassVar[list[Totals]] = []
     begun = False  # whether there was a `run`
     ended = False  # whether there was a `merge` for good
 
@@ -230,7 +230,8 @@ class Totals:
             raise ValueError('Totals: must be made before the first run')
         every = checks.wholeNumber('every', every, 1, checks.STEPS)
         # Only rank 0 has the bodies by now.
-        self.supports, self.rows = present('supports', supports) if rank() == 0 else list(supports), []
+        self.rows: list[dict[str, Any]] = []
+        self.supports = present('supports', supports) if rank() == 0 else list(supports)
         Totals._all.append(self)
         if rank() == 0:
             command = f'{self.COMMAND}[{len(Totals._all) - 1}].record()'

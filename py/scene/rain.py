@@ -15,7 +15,8 @@ def rainCentres(number: int, radius: float, gap: float, container: Container, rn
     """`number` points [m] above the base, farther than 2 `radius` from each other and `radius` from the walls."""
     jitter = min(gap * radius, _halfWidth(container) - radius)
     spacing, margin = 2 * (radius + jitter), radius + jitter
-    centers, z = [], margin
+    centers: list[tuple[float, float, float]] = []
+    z = margin
     while len(centers) < number:
         layer = _layer(spacing, margin, container, rng)
         rng.shuffle(layer)
@@ -47,7 +48,8 @@ def isInside(x: float, y: float, margin: float, container: Container) -> bool:
     """Whether the point is at least `margin` [m] from the side walls, on their inner side."""
     if container.radius is not None:
         return math.hypot(x, y) <= container.radius - margin
-    return abs(x) <= container.width / 2 - margin and abs(y) <= container.depth / 2 - margin
+    width, depth = container.sides
+    return abs(x) <= width / 2 - margin and abs(y) <= depth / 2 - margin
 
 
 def _randomPlace(margin: float, container: Container, rng: random.Random) -> tuple[float, float]:
@@ -55,15 +57,16 @@ def _randomPlace(margin: float, container: Container, rng: random.Random) -> tup
         distance = (container.radius - margin) * math.sqrt(rng.random())
         angle = 2 * math.pi * rng.random()
         return distance * math.cos(angle), distance * math.sin(angle)
-    return tuple((size / 2 - margin) * (2 * rng.random() - 1) for size in (container.width, container.depth))
+    x, y = ((size / 2 - margin) * (2 * rng.random() - 1) for size in container.sides)
+    return x, y
 
 
 def _halfWidth(container: Container) -> float:
-    return container.radius if container.radius is not None else min(container.width, container.depth) / 2
+    return container.radius if container.radius is not None else min(container.sides) / 2
 
 
 def _outerWidth(container: Container) -> float:
-    return container.radius if container.radius is not None else math.hypot(container.width, container.depth) / 2
+    return container.radius if container.radius is not None else math.hypot(*container.sides) / 2
 
 
 def _inBall(radius: float, rng: random.Random) -> list[float]:

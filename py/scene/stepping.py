@@ -5,7 +5,7 @@ import signal
 import sys
 import time
 from collections.abc import Callable, Mapping
-from typing import Self, TextIO
+from typing import Any, Self, TextIO
 
 from yade import O
 
@@ -32,12 +32,13 @@ class Stepper:
     REFRESH = 0.5    # s between updates of the line on a terminal
     LOG_REFRESH = 5.0  # s between lines in a log file
 
-    def __init__(self, plan: Mapping[str, int] | None = None, stream: TextIO | None = sys.stderr, left: int | None = None) -> None:
-        self.plan = dict(plan or {})
+    def __init__(self, plan: Mapping[str, float] | None = None, stream: TextIO | None = sys.stderr, left: int | None = None) -> None:
+        self.plan: dict[str, float] = dict(plan or {})
         self.stream, self.left = stream, left
         self.stage, self.stageSteps = '', 0
         self.steps, self.seconds = 0, 0.0
-        self._stop, self._handlers, self._lastReport = False, {}, 0.0
+        self._handlers: dict[int, Any] = {}
+        self._stop, self._lastReport = False, 0.0
 
     def __enter__(self) -> Self:
         for number in (signal.SIGINT, signal.SIGTERM):

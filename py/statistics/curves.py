@@ -8,13 +8,13 @@ import numpy
 from scipy import stats
 
 if TYPE_CHECKING:
-    from ..typealiases import ArrayLike, Floats
+    from ..typealiases import Floats
 
 LEVEL = 0.95
 FEWEST = 3  # curves for a band
 
 
-def meanCurve(records: Sequence[tuple[Floats, Floats]], times: ArrayLike) -> tuple[Floats, Floats]:
+def meanCurve(records: Sequence[tuple[Floats, Floats]], times: Floats | Sequence[float]) -> tuple[Floats, Floats]:
     """Mean and half width of the 95 % band of records [(times, forces)] at `times`; nan where not all records have values, and the
     half width nan with fewer than FEWEST records."""
     forces = numpy.array([numpy.interp(times, time, force, left=numpy.nan, right=numpy.nan) for time, force in records])

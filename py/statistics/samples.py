@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy
 import pandas
@@ -20,7 +20,7 @@ LEVEL = 0.95
 PERMUTATIONS = 9999
 SEED = 20180501      # of the permutations, where values are equal: the same data give the same p values
 
-Sample: TypeAlias = ArrayLike | pandas.Series  # values; a Series tells on which bed each was found
+Sample: TypeAlias = Any  # a sequence or array of values, or a pandas Series, which tells on which bed each was found
 
 
 class Estimate(NamedTuple):
@@ -60,7 +60,7 @@ class Contrast(NamedTuple):
             return 0.0 if self.estimate > bound else 1.0
         return float(stats.t.sf((self.estimate - bound) / self.error, self.dof))
 
-    def below(self, bound: float = 0.0) -> Contrast:
+    def below(self, bound: float = 0.0) -> float:
         """One-sided p value of 'the true sum is at least `bound`'."""
         return Contrast(-self.estimate, -self.high, -self.low, self.error, self.dof, self.number).above(-bound)
 
@@ -82,7 +82,8 @@ def typicalValue(sample: Sample) -> Estimate:
     """`Estimate` of a sample as findings compare it: where all values are positive the geometric mean, by the interval of the logarithms'
     mean, for scatter goes with the size; so no interval of theirs reaches zero. Else the mean."""
     if numpy.min(sample) > 0:
-        return Estimate(*numpy.exp(meanInterval(numpy.log(sample))[:3]).tolist(), len(sample))
+        mean, low, high = map(float, numpy.exp(meanInterval(numpy.log(sample))[:3]))
+        return Estimate(mean, low, high, len(sample))
     return meanInterval(sample)
 
 
@@ -105,18 +106,18 @@ def byBed(samples: Sequence[Sample], weights: Sequence[float]) -> tuple[tuple[Sa
 
     Beds that one of them lacks are left out. Samples that share beds in a chain, without a bed common to all, are left as they are.
     """
-    clusters = []
+    clusters: list[list[tuple[Sample, float]]] = []
     for one in zip(samples, weights):
         linked = [cluster for cluster in clusters if any(shareBeds([one[0], other]) for other, _ in cluster)]
         clusters = [cluster for cluster in clusters if not any(cluster is link for link in linked)] + [[*sum(linked, []), one]]
-    result = []
+    result: list[tuple[Sample, float]] = []
     for cluster in clusters:
         common = set.intersection(*(set(sample.index) for sample, _ in cluster)) if len(cluster) > 1 else ()
         if common:
             beds = [bed for bed in cluster[0][0].index if bed in common]
             cluster = [(sum(weight * sample[beds] for sample, weight in cluster), 1.0)]
         result += cluster
-    return tuple(zip(*result))
+    return tuple(sample for sample, _ in result), tuple(weight for _, weight in result)
 
 
 def contrast(samples: Sequence[Sample], weights: Sequence[float], level: float = LEVEL, pool: Sequence[Sample] | None = None) -> Contrast:
@@ -130,6 +131,7 @@ def contrast(samples: Sequence[Sample], weights: Sequence[float], level: float =
     samples = [numpy.asarray(sample, dtype=float) for sample in samples]
     estimate = float(sum(weight * sample.mean() for weight, sample in zip(weights, samples)))
     number = sum(map(len, samples))
+    dof: float
     if pool is not None:
         variance, dof = pooledVariance(pool)
         squared = variance * sum(weight ** 2 / len(sample) for weight, sample in zip(weights, samples))
@@ -153,13 +155,13 @@ def _satterthwaite(samples: Sequence[Floats], weights: Sequence[float]) -> tuple
     return total, total ** 2 / sum(part ** 2 / (len(sample) - 1) for part, sample in zip(parts, samples))
 
 
-def holm(values: Sequence[float]) -> Floats:
+def holm(values: ArrayLike) -> Floats:
     """Holm's p values: as small as `values` may be called when all of them are looked at. nan stays nan."""
-    values = numpy.asarray(values, dtype=float)
-    adjusted, largest = numpy.full(len(values), math.nan), 0.0
-    order = [i for i in numpy.argsort(values) if not math.isnan(values[i])]
+    found = numpy.asarray(values, dtype=float)
+    adjusted, largest = numpy.full(len(found), math.nan), 0.0
+    order = [i for i in numpy.argsort(found) if not math.isnan(found[i])]
     for rank, i in enumerate(order):
-        largest = max(largest, min(1.0, (len(order) - rank) * values[i]))
+        largest = max(largest, min(1.0, (len(order) - rank) * found[i]))
         adjusted[i] = largest
     return adjusted
 
@@ -179,13 +181,13 @@ def trend(samples: Mapping[float, Sample], seed: int = SEED) -> Trend:
     observed = int(numpy.sign(y[upper] - y[lower]).sum())
     if len(set(y)) == len(y):
         ways, falling = _arrangements([len(samples[place]) for place in places]), (len(lower) - observed) // 2
-        p = sum(ways[:falling + 1]) / sum(ways), sum(ways[falling:]) / sum(ways)
+        rises, falls = sum(ways[:falling + 1]) / sum(ways), sum(ways[falling:]) / sum(ways)
     else:
         random = numpy.random.default_rng(seed)
         others = random.permuted(numpy.tile(y, (PERMUTATIONS, 1)), axis=1)
         shuffled = numpy.array([numpy.sign(other[upper] - other[lower]).sum() for other in others])
-        p = tuple((1 + int(side.sum())) / (1 + PERMUTATIONS) for side in (shuffled >= observed, shuffled <= observed))
-    return Trend(observed / len(lower), *p)
+        rises, falls = ((1 + int(side.sum())) / (1 + PERMUTATIONS) for side in (shuffled >= observed, shuffled <= observed))
+    return Trend(observed / len(lower), rises, falls)
 
 
 def _arrangements(counts: Sequence[int]) -> list[int]:

@@ -25,7 +25,8 @@ MARGIN = 0.1        # differences up to 10 % are none, unless the finding says o
 
 
 def above(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:
-    return [_comparison(data, finding, *finding['series'], 1, everywhere=False)]
+    high, low = finding['series']
+    return [_comparison(data, finding, high, low, 1, everywhere=False)]
 
 
 def ordered(data: GroupData, finding: Mapping[str, Any]) -> list[Part]:

@@ -55,7 +55,7 @@ def checkFigure(name: str, spec: Any, group: Mapping[str, Any]) -> dict[str, Any
     return spec
 
 
-def _listed(key: str, values: Any) -> list[Any]:
+def _listed(key: str, values: Any) -> Sequence[Any]:
     if not isinstance(values, (list, tuple)) or not values:
         raise ValueError(f'{key} = {values!r}: must be a list with an entry at least')
     for value in values:
@@ -86,8 +86,8 @@ def drawFigure(path: PathLike, spec: Mapping[str, Any], data: GroupData, records
 
 def isLog(values: Sequence[float]) -> bool:
     """Whether a logarithmic axis suits the values."""
-    values = numpy.asarray(values, dtype=float)
-    return bool(len(values) > 1 and values.min() > 0 and values.max() >= LOG_RATIO * values.min())
+    numbers = numpy.asarray(values, dtype=float)
+    return bool(len(numbers) > 1 and numbers.min() > 0 and numbers.max() >= LOG_RATIO * numbers.min())
 
 
 def _drawTrend(data: GroupData, series: Sequence[str], values: Sequence[Any], quantities: Sequence[str]) -> Figure:
@@ -107,7 +107,7 @@ def _drawTrend(data: GroupData, series: Sequence[str], values: Sequence[Any], qu
     return figure
 
 
-def _drawLine(axes: Axes, data: GroupData, name: str, values: Sequence[float], y: str, index: int, place: str) -> None:
+def _drawLine(axes: Axes, data: GroupData, name: str, values: Sequence[float], y: str, index: int, place: float) -> None:
     """Typical value, interval and runs of a series; `place` moves it aside a little, so that bars do not cover each other."""
     factor, colour = QUANTITIES[y].factor, COLOURS[index % len(COLOURS)]
     marker = MARKERS[index % len(MARKERS)]

@@ -57,7 +57,7 @@ def checkFinding(finding: Any, group: Mapping[str, Any]) -> dict[str, Any]:
     for key in ('test', 'y'):
         if key not in finding:
             raise ValueError(f'{key} = None: a finding needs it ({finding!r})')
-    test = TESTS.get(checks.oneOf('test', finding['test'], tuple(TESTS)))
+    test = TESTS[checks.oneOf('test', finding['test'], tuple(TESTS))]
     group['experiment'].checkedQuantity('y', finding['y'])
     known = COMMON + test.required + test.optional
     for key in finding:

@@ -85,15 +85,19 @@ def _runsOf(plan: Mapping[str, Any], experiment: Experiment, base: Mapping[str, 
         parameters = experiment.planned({**base, **group['base'], **group['series'][series][0], **values})
         places = [parameters.changed(place) for place in (experiment.places(parameters, number) if experiment.places else [{}])]
     except ValueError as error:
-        place = f'series {series!r}, ' if series else ''
-        raise ValueError(f'groups.{group["name"]}, {place}{_xName(group)} = {x!r}: {error}') from None
+        inSeries = f'series {series!r}, ' if series else ''
+        raise ValueError(f'groups.{group["name"]}, {inSeries}{_xName(group)} = {x!r}: {error}') from None
     for seed in seeds:
-        for index, place in enumerate(places):
-            run = _addRun(plan, experiment, dataclasses.replace(place, seed=seed))
+        for index, placed in enumerate(places):
+            run = _addRun(plan, experiment, _ofSeed(placed, seed))
             yield {'series': series, 'x': x, 'seed': seed, 'place': index, 'run': run}
 
 
-def _addRun(plan: Mapping[str, Any], experiment: Experiment, parameters: Mapping[str, Any]) -> str:
+def _ofSeed(parameters: Any, seed: int) -> Any:
+    return dataclasses.replace(parameters, seed=seed)
+
+
+def _addRun(plan: Mapping[str, Any], experiment: Experiment, parameters: Any) -> str:
     """Add run and bed of the `parameters` unless they are there already; return the run's id."""
     poured, complete = parameters.part(BED), parameters.asDict()
     bed = f'{parameters.shape}-{_hash({**poured, "seed": None}, 10)}-s{parameters.seed}'

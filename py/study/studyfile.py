@@ -44,7 +44,7 @@ def checkedStudy(content: Any) -> dict[str, Any]:
     _checkPlaces(experiment, 'places', study)
     seeds, places = checkedSeeds('seeds', study.get('seeds', [1])), _place('places', study.get('places', 1))
     groups = _mapping('groups', study['groups'])
-    result = {'title': _text('title', study['title']), 'experiment': experiment.name,
+    result: dict[str, Any] = {'title': _text('title', study['title']), 'experiment': experiment.name,
               'base': _parameters(experiment, 'base', study.get('base', {})), 'seeds': seeds,
               'validations': _validations(experiment, study.get('validations', {})),
               'groups': [_group(experiment, name, group, seeds, places) for name, group in groups.items()]}
@@ -91,7 +91,7 @@ def _group(experiment: Experiment, name: str, content: Any, seeds: Sequence[int]
     _checkPlaces(experiment, f'{place}.places', group)
     if ('x' in group) == ('variants' in group):
         raise ValueError(f'{place}: needs either x or variants')
-    result = {'name': name, 'title': _text(f'{place}.title', group.get('title', name)),
+    result: dict[str, Any] = {'name': name, 'title': _text(f'{place}.title', group.get('title', name)),
               'base': _parameters(experiment, f'{place}.base', group.get('base', {})), 'x': None, 'variants': None,
               'seeds': checkedSeeds(f'{place}.seeds', group['seeds']) if 'seeds' in group else seeds}
     if 'x' in group:
@@ -113,7 +113,7 @@ def _group(experiment: Experiment, name: str, content: Any, seeds: Sequence[int]
 
 def _checkFigureNames(groups: Sequence[dict[str, Any]]) -> None:
     """All figures are files in one folder."""
-    owner = {}
+    owner: dict[str, str] = {}
     for group in groups:
         for name in group['figures']:
             if owner.setdefault(name, group['name']) != group['name']:
@@ -215,7 +215,7 @@ def _list(place: str, content: Any, mayBeEmpty: bool = False) -> list[Any]:
     return content
 
 
-def _different(place: str, values: Sequence[Any]) -> list[Any]:
+def _different(place: str, values: list[Any]) -> list[Any]:
     for value in values:
         if values.count(value) > 1:
             raise ValueError(f'{place} = {values!r}: {value!r} is repeated')

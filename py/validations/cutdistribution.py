@@ -38,12 +38,13 @@ class CutDistribution:
     def __call__(self, x: Any) -> Any:
         return np.interp(x, self._sizes, self._probabilities)
 
-    def massOfParents(self, x: float, ratios: Sequence[float]) -> float:
+    def massOfParents(self, x: Any, ratios: ArrayLike) -> Any:
         """The part of the mass in fragments whose size over the common length is <= x."""
         middles, steps = (self._sizes[1:] + self._sizes[:-1]) / 2, np.diff(self._probabilities)
         masses = np.concatenate([[0], np.cumsum(8 * middles ** 3 * steps)])
         weights = np.asarray(ratios) ** 3
-        return sum(weight * np.interp(np.asarray(x) / ratio, self._sizes, masses) for weight, ratio in zip(weights, ratios)) / weights.sum()
+        return sum(weight * np.interp(np.asarray(x, dtype=float) / ratio, self._sizes, masses)
+                   for weight, ratio in zip(weights, np.asarray(ratios))) / weights.sum()
 
     def _side(self, t: Any) -> Any:
         """P(w <= t) of one side."""
@@ -56,7 +57,7 @@ class CutDistribution:
 
     def ofParents(self, x: Any, ratios: ArrayLike) -> Any:
         """The same of sizes over a common length, for parents whose sizes over it are `ratios`: the mean over the parents."""
-        return np.mean([self(np.asarray(x) / ratio) for ratio in ratios], axis=0)
+        return np.mean([self(np.asarray(x) / ratio) for ratio in np.asarray(ratios)], axis=0)
 
 
 def draw(rng: np.random.Generator, exponent: float, number: int) -> Floats:
@@ -72,7 +73,7 @@ def distance(values: Floats, function: Callable[[Floats], Floats]) -> float:
     ordered = np.sort(np.ravel(values))
     expected = function(ordered)
     steps = np.arange(len(ordered) + 1) / len(ordered)
-    return max(np.max(expected - steps[:-1]), np.max(steps[1:] - expected))
+    return max(float(np.max(expected - steps[:-1])), float(np.max(steps[1:] - expected)))
 
 
 def agreement(sizes: Floats, exponent: float, parents: ArrayLike, largest: float, seed: int = 0, samples: int = 1000) -> tuple[float, float]:
@@ -90,7 +91,7 @@ def agreement(sizes: Floats, exponent: float, parents: ArrayLike, largest: float
     found = distance(np.asarray(sizes) / largest, exact)
     rng = np.random.default_rng(seed)
     simulated = [distance(draw(rng, exponent, len(ratios)) * ratios[:, None], exact) for _ in range(samples)]
-    return found, (1 + np.sum(np.array(simulated) >= found)) / (1 + samples)
+    return found, float((1 + np.sum(np.array(simulated) >= found)) / (1 + samples))
 
 
 def sameDistribution(groups: Sequence[Floats], seed: int = 0, samples: int = 500) -> tuple[float, float]:
@@ -108,8 +109,8 @@ def sameDistribution(groups: Sequence[Floats], seed: int = 0, samples: int = 500
 
     def largest(labels: Ints) -> float:
         own = labels[parentOf]
-        return max(np.max(np.abs(np.cumsum(own == k) / np.sum(own == k) - together)) for k in range(len(groups)))
+        return max(float(np.max(np.abs(np.cumsum(own == k) / np.sum(own == k) - together))) for k in range(len(groups)))
     found = largest(owners)
     rng = np.random.default_rng(seed)
     exchanged = [largest(rng.permutation(owners)) for _ in range(samples)]
-    return found, (1 + np.sum(np.array(exchanged) >= found)) / (1 + samples)
+    return found, float((1 + np.sum(np.array(exchanged) >= found)) / (1 + samples))

@@ -77,7 +77,7 @@ class RestingCube:
         """`Drift` over that many steps from now, looked at `looks` times."""
         state = self.cube.state
         place, orientation = Vector3(state.pos), Quaternion(state.ori)
-        shift = turn = 0
+        shift = turn = 0.0
         for _ in range(looks):
             O.run(steps // looks, wait=True)
             swung = orientation.conjugate() * state.ori

@@ -80,7 +80,7 @@ def containerData(snapshot: SceneSnapshot) -> Any:
     _add(data.GetCellData(), 'id', snapshot.container['id'][owner].astype('i4'))
     _add(data.GetCellData(), 'kind', snapshot.container['kind'][owner].astype('i1'))
     rest = snapshot.container[snapshot.container['kind'] != bodyarrays.FACET]
-    _add(data.GetFieldData(), 'borders', np.column_stack([rest[name] for name in bodyarrays.BORDER.names]))
+    _add(data.GetFieldData(), 'borders', np.column_stack([rest[name] for name in bodyarrays.BORDER.names or ()]))
     return _timed(data, snapshot)
 
 

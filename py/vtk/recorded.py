@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from ..typealiases import Rows
 
 
-class RecordedSeries(Sequence):
+class RecordedSeries(Sequence[SceneSnapshot]):
     """The series in `folder`: a sequence of `SceneSnapshot`, each read when it is asked for, in the single precision of the files. A slice
     is such a series.
 

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING, Any
 
@@ -46,7 +46,7 @@ def vtkRecorder(folder: PathLike, iterPeriod: int | None = None, virtPeriod: flo
     :raises ValueError: a value out of range; ImportError: VTK's Python modules are missing; OSError: the folder cannot be written to
     """
     periods = _checkPeriods(iterPeriod, virtPeriod, realPeriod)
-    what = {name: checks.boolean(name, value) for name, value in (
+    what: dict[str, Any] = {name: checks.boolean(name, value) for name, value in (
         ('surfaces', surfaces), ('contacts', contacts), ('container', container), ('normals', normals))}
     what['detail'] = checks.above('detail', detail, 0, 1)
     what['ids'] = None if ids is None else present('ids', ids)
@@ -68,13 +68,18 @@ def record(folder: PathLike, surfaces: bool = True, contacts: bool = True, conta
            ids: Sequence[int] | None = None) -> None:
     """Add the present moment to the series in `folder`; what `vtkRecorder` calls, with its arguments."""
     snapshot = SceneSnapshot.ofScene(None if ids is None else [i for i in ids if i < len(O.bodies) and O.bodies[i] is not None])
-    data = {'particles': lambda: polydata.particleData(snapshot), 'surfaces': lambda: polydata.surfaceData(snapshot, detail, normals),
-            'contacts': lambda: polydata.contactData(snapshot), 'container': lambda: polydata.containerData(snapshot)}
+    data: dict[str, Callable[[], Any]] = {
+        'particles': lambda: polydata.particleData(snapshot), 'surfaces': lambda: polydata.surfaceData(snapshot, detail, normals),
+        'contacts': lambda: polydata.contactData(snapshot), 'container': lambda: polydata.containerData(snapshot)}
     for series in _series(folder, {'surfaces': surfaces, 'contacts': contacts, 'container': container}):
-        series.append(snapshot.step, snapshot.time, lambda path, make=data[series.name]: polydata.write(path, make()))
+        series.append(snapshot.step, snapshot.time, _writer(data[series.name]))
 
 
-def _series(folder: str, wanted: Mapping[str, Any]) -> list[Series]:
+def _writer(make: Callable[[], Any]) -> Callable[[str], None]:
+    return lambda path: polydata.write(path, make())
+
+
+def _series(folder: PathLike, wanted: Mapping[str, Any]) -> list[Series]:
     """The `Series` that are `wanted` ({name: bool}), particles always.
 
     :raises ValueError: one of them cannot be gone on with, and none has been changed

@@ -1,7 +1,6 @@
 """The number of examples of each fuzz test goes into the report, for tests/run to count."""
-import pytest
-
 import fuzzing
+import pytest
 
 
 @pytest.fixture(autouse=True)

@@ -1,15 +1,15 @@
 """Every attribute of every class of the plugin, set to anything: it takes the value, or refuses it and stays as it was."""
 import pytest
+from fuzzing import anything, assignable, fuzz, refused, same
 from hypothesis import assume
 from hypothesis import strategies as st
 from yade import wrapper
 
-from fuzzing import anything, assignable, fuzz, refused, same
-
 CLASSES = ('Superquadric', 'HollowCylinder', 'CurvatureMat', 'ElastoplasticMat', 'BreakableMat', 'BreakableState', 'BreakageEngine',
            'VibratingBoxEngine', 'VibrationRecorder', 'Law2_ScGeom_CurvaturePhys_HertzMindlin', 'Law2_ScGeom_ElastoplasticPhys_LoadingUnloading',
-           'SuperquadricGeom', 'CurvaturePhys', 'ElastoplasticPhys', 'Bo1_Superquadric_Aabb', 'Bo1_HollowCylinder_Aabb', 'Ig2_Superquadric_Superquadric_SuperquadricGeom',
-           'Ip2_CurvatureMat_CurvatureMat_CurvaturePhys', 'Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys', 'SuperquadricInteractionLoop')
+           'SuperquadricGeom', 'CurvaturePhys', 'ElastoplasticPhys', 'Bo1_Superquadric_Aabb', 'Bo1_HollowCylinder_Aabb',
+           'Ig2_Superquadric_Superquadric_SuperquadricGeom', 'Ip2_CurvatureMat_CurvatureMat_CurvaturePhys',
+           'Ip2_CurvatureMat_CurvatureMat_ElastoplasticPhys', 'SuperquadricInteractionLoop')
 # YADE's own answers: to the name of no attribute, or of one that is read only; Boost.Python's to a whole number that is too large; and what comes
 # of YADE's conversion to a MatchMaker, which leaves Python's error unhandled.
 YADES = (AttributeError, OverflowError, SystemError)

@@ -3,6 +3,7 @@ import math
 import tempfile
 
 import numpy
+from fuzzing import INF, NAN, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size
 from hypothesis import strategies as st
 from scipy.optimize import minimize
 from yade import O, utils
@@ -10,8 +11,6 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, Superquadric
 
 import yade.superquadric as sq
-
-from fuzzing import INF, NAN, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size
 
 solid = st.tuples(ratio, ratio, ratio, exponent, exponent)  # half sizes over the scene's size, exponents
 PLACES = (NAN, INF, -INF, 1e300, -1e200, 1e20, 5e-324)

@@ -9,17 +9,17 @@ import shutil
 import numpy
 import pandas
 import pytest
+from damage import copyWith, damage, damaged
+from fuzzing import fuzz, refused
 from hypothesis import strategies as st
 from yade import O
 
 import yade.superquadric as sq
-from yade.superquadric.runs import checkpoint, finishedbed
 from yade.superquadric.experiments.oedometer import case as oedometercase
 from yade.superquadric.files import results, sealed
-from yade.superquadric.study import plan as plans, studyfile, table
-
-from damage import copyWith, damage, damaged
-from fuzzing import fuzz, refused
+from yade.superquadric.runs import checkpoint, finishedbed
+from yade.superquadric.study import plan as plans
+from yade.superquadric.study import studyfile, table
 
 SMALL = {'containerDiameter': 0.07, 'particles': 12, 'impactorDiameter': 0.03, 'maxSettlingTime': 0.02, 'maxImpactTime': 1e-3}
 STUDY = {'title': 'Test', 'seeds': [1], 'groups': {'layers': {

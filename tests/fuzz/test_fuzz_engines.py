@@ -1,19 +1,15 @@
 """Particles that break and boxes that vibrate, with any parameters that their engines accept: conserved, finite, or an error that says why."""
 import math
-import sys
-from pathlib import Path
 
 import numpy
+from breakagescene import GLASS, NOTHING_MOVES, Motion
+from fuzzing import assignable, direction, exponent, finite, fuzz, quaternion, ratio, refused, size
 from hypothesis import strategies as st
 from yade import O, utils
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import BreakableMat, BreakageEngine, ForceResetter, NewtonIntegrator, VibratingBoxEngine, VibrationRecorder
 
 import yade.superquadric as sq
-
-from fuzzing import assignable, direction, exponent, finite, fuzz, quaternion, ratio, refused, size
-
-from breakagescene import GLASS, NOTHING_MOVES, Motion  # noqa: E402
 
 solid = st.one_of(st.none(), st.tuples(ratio, ratio, ratio, exponent, exponent))  # None: a sphere
 motion = st.tuples(quaternion, direction, direction)

@@ -2,14 +2,13 @@
 import math
 import random
 
+from fuzzing import anything, exponent, fuzz, number, ratio, refused, size, vector
 from hypothesis import strategies as st
 from yade import O
 from yade.wrapper import CurvatureMat, ElastoplasticMat
 
 import yade.superquadric as sq
 from yade.superquadric.scene import restitution, settling
-
-from fuzzing import anything, exponent, fuzz, number, ratio, refused, size, vector
 
 SEVERAL = st.integers(0, 255)  # bits: which arguments are replaced by good ones
 
@@ -110,7 +109,8 @@ def test_rain(shapes, seed, speed, solidFraction, gap, sideways, keep):
 IMPACT = {'diameter': 0.02, 'density': 3000, 'speed': 5, 'dropHeight': 0.3, 'surface': 0.03, 'gravity': 9.81, 'place': (0, 0)}
 
 
-@fuzz(weight=2, values=st.fixed_dictionaries({name: anything for name in IMPACT}), keep=SEVERAL, obstacles=st.one_of(st.just([2, 3]), st.just([]), anything))
+@fuzz(weight=2, values=st.fixed_dictionaries(dict.fromkeys(IMPACT, anything)), keep=SEVERAL,
+      obstacles=st.one_of(st.just([2, 3]), st.just([]), anything))
 def test_impactors(values, keep, obstacles):
     material, _ = scene()
     given = mixed(values, IMPACT, keep)

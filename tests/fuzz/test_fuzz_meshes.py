@@ -4,15 +4,15 @@ import os
 
 import numpy
 import pytest
-from hypothesis import assume, strategies as st
+from fuzzing import anything, finite, fuzz, number, quaternion, refused, size, vector
+from hypothesis import assume
+from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, Facet
 
 import yade.superquadric as sq
-
-from fuzzing import anything, finite, fuzz, number, quaternion, refused, size, vector
 
 LARGEST_SINGLE = float(numpy.finfo('f4').max)
 grid = st.tuples(*[st.integers(-1, 1)] * 3)

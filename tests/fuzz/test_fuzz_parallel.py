@@ -2,14 +2,13 @@
 import math
 
 import pytest
+from fuzzing import anything, fuzz, refused
 from hypothesis import strategies as st
 from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
 from yade.superquadric.scene import parallel
-
-from fuzzing import anything, fuzz, refused
 
 
 def scene():

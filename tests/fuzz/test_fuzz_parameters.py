@@ -6,20 +6,19 @@ import os
 import tempfile
 
 import yaml
+from fuzzing import anything, fuzz, number, refused
 from hypothesis import strategies as st
+from project import PROJECT
 
 from yade.superquadric.experiments.damper.parameters import DamperParameters
 from yade.superquadric.experiments.impact.parameters import ImpactParameters
 from yade.superquadric.experiments.oedometer.parameters import OedometerParameters
 from yade.superquadric.files import results, yamlfile
+from yade.superquadric.materials import materialfile
 from yade.superquadric.materials.shipped import FOLDER
 from yade.superquadric.runs.parameters import fromFile
-from yade.superquadric.materials import materialfile
-from yade.superquadric.study import plan as plans, studyfile
-
-from fuzzing import anything, fuzz, number, refused
-
-from project import PROJECT
+from yade.superquadric.study import plan as plans
+from yade.superquadric.study import studyfile
 
 KINDS = {'impact': ImpactParameters, 'damper': DamperParameters, 'oedometer': OedometerParameters}
 plain = st.recursive(st.one_of(st.none(), st.booleans(), number, st.integers(), st.text(max_size=5),

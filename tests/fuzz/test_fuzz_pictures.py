@@ -7,6 +7,7 @@ import os
 
 import numpy
 import pytest
+from fuzzing import INF, NAN, anything, fuzz, number, refused, vector
 from hypothesis import strategies as st
 from PIL import Image
 from yade import O, utils
@@ -16,8 +17,6 @@ from yade.wrapper import CurvatureMat
 import yade.superquadric as sq
 from yade.superquadric.pictures import render, view
 from yade.superquadric.pictures.renderpieces import COLOURS
-
-from fuzzing import INF, NAN, anything, fuzz, number, refused, vector
 
 LOOKS = {'colour': 'plain', 'chains': False, 'cut': False, 'limits': None, 'chainLimit': None,
          'elevation': 14.0, 'azimuth': -90.0, 'title': '', 'width': 60}
@@ -114,7 +113,8 @@ part = st.sampled_from(('frame', 'snapshot', 'empty', 'nothing'))
                                 st.lists(st.one_of(part, st.tuples(text, part), anything), max_size=3), anything), gif=st.booleans())
 def test_viewsOfAnything(folder, views, gif):
     here = frame()
-    known = {'frame': here, 'snapshot': sq.Snapshot.ofBodies([2, 3]), 'empty': sq.SceneSnapshot(here.particles[:0]), 'nothing': sq.Snapshot.ofBodies([])}
+    known = {'frame': here, 'snapshot': sq.Snapshot.ofBodies([2, 3]), 'empty': sq.SceneSnapshot(here.particles[:0]),
+             'nothing': sq.Snapshot.ofBodies([])}
 
     def made(value):
         if isinstance(value, (list, tuple)):

@@ -4,6 +4,8 @@ import os
 import shutil
 
 import pytest
+from damage import copyWith, damage
+from fuzzing import anything, fuzz, refused
 from hypothesis import strategies as st
 from yade import O, utils
 from yade.minieigenHP import Vector3
@@ -12,9 +14,6 @@ from yade.wrapper import CurvatureMat, PyRunner
 import yade.superquadric as sq
 from yade.superquadric.vtk import recorder as vtkrecorder
 from yade.superquadric.vtk.series import Series
-
-from damage import copyWith, damage
-from fuzzing import anything, fuzz, refused
 
 TABLES = 'particles', 'contacts', 'container'
 GOOD = {'iterPeriod': 1, 'virtPeriod': None, 'realPeriod': None, 'surfaces': True, 'contacts': True, 'container': True,
@@ -93,7 +92,8 @@ def test_goingOnWithADamagedSeries(place, name, how):
 @fuzz(weight=5, how=damage)
 def test_damagedFrames(place, how):
     isOther = copyWith(WHOLE['frame'], place, 'frame.npz', how)
-    path, wholes = os.path.join(place, 'frame.npz'), [sq.SceneSnapshot.load(os.path.join(WHOLE['frame'], name)) for name in ('frame.npz', 'later.npz')]
+    path = os.path.join(place, 'frame.npz')
+    wholes = [sq.SceneSnapshot.load(os.path.join(WHOLE['frame'], name)) for name in ('frame.npz', 'later.npz')]
     frame, no = refused(lambda: sq.SceneSnapshot.load(path), path)
     if no:
         assert isinstance(frame, ValueError) and isOther

@@ -2,6 +2,7 @@
 import math
 
 import numpy
+from fuzzing import anything, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size, vector
 from hypothesis import strategies as st
 from yade import O
 from yade.minieigenHP import Quaternion, Vector3
@@ -10,8 +11,6 @@ from yade.wrapper import CurvatureMat, Superquadric
 import yade.superquadric as sq
 from yade.superquadric.mesh.regions import BOX_TRIANGLES, Box, Cylinder, HalfSpaces, Mesh
 from yade.superquadric.scene.shapes import unitVolume
-
-from fuzzing import anything, coordinate, direction, exponent, fuzz, quaternion, ratio, refused, size, vector
 
 ROUNDING = 1e-9  # of the volumes at hand
 solid = st.tuples(ratio, ratio, ratio, exponent, exponent, quaternion, st.tuples(coordinate, coordinate, coordinate))

@@ -1,14 +1,13 @@
 """The shapes' Python interface under any input: right answers, or refusals that leave the shape as it was."""
 import math
 
+from fuzzing import anything, direction, exponent, finite, fuzz, number, quaternion, ratio, refused, size, vector
 from hypothesis import strategies as st
 from yade.minieigenHP import Quaternion, Vector3
 from yade.wrapper import HollowCylinder, Superquadric
 
 import yade.superquadric as sq
 from yade.superquadric.scene.shapes import SHAPES
-
-from fuzzing import anything, direction, exponent, finite, fuzz, number, quaternion, ratio, refused, size, vector
 
 extents = st.tuples(size, ratio, ratio).map(lambda s: (s[0], s[0] * s[1], s[0] * s[2]))
 shape = st.builds(lambda extents, n1, n2: Superquadric(extents=extents, n1=n1, n2=n2), extents, exponent, exponent)

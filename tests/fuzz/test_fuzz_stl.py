@@ -6,12 +6,11 @@ import time
 
 import numpy
 import pytest
+from damage import damage, damaged
+from fuzzing import fuzz, refused
 from hypothesis import strategies as st
 
 import yade.superquadric as sq
-
-from damage import damage, damaged
-from fuzzing import fuzz, refused
 
 SLOW = 20  # s that no small file takes, on a busy machine either
 CUBE = sq.TriangleMesh([[i >> axis & 1 for axis in range(3)] for i in range(8)], sq.regions.BOX_TRIANGLES, 'cube')

@@ -4,14 +4,13 @@ import os
 
 import numpy
 import pytest
+from fuzzing import anything, exponent, fuzz, quaternion, ratio, refused, size
 from hypothesis import strategies as st
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, Sphere, Superquadric
 
 import yade.superquadric as sq
-
-from fuzzing import anything, exponent, fuzz, quaternion, ratio, refused, size
 
 extents = st.tuples(size, ratio, ratio).map(lambda s: (s[0], s[0] * s[1], s[0] * s[2]))
 shape = st.one_of(st.builds(lambda extents, n1, n2: Superquadric(extents=extents, n1=n1, n2=n2), extents, exponent, exponent),

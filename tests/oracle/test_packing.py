@@ -9,9 +9,9 @@ from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.mesh import regions
 from yade.superquadric.measure.bed import particleVolumes, voxelGrid
 from yade.superquadric.measure.snapshot import gauge
+from yade.superquadric.mesh import regions
 
 RADIUS, HEIGHT, SIZE = 0.05, 0.06, 5e-3
 
@@ -41,7 +41,7 @@ def bed():
     O.reset()
     material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
     rng = random.Random(8)
-    shapes = [sq.particleShape('cube', SIZE), sq.particleShape('cylinder', SIZE, 1.5), sq.particleShape('ellipsoid', SIZE, 2.0), 
+    shapes = [sq.particleShape('cube', SIZE), sq.particleShape('cylinder', SIZE, 1.5), sq.particleShape('ellipsoid', SIZE, 2.0),
               sq.particleShape('sphere', SIZE), sq.particleShape('block', SIZE, 0.5)]
     places = [Vector3(rng.uniform(-0.06, 0.06), rng.uniform(-0.06, 0.06), rng.uniform(-0.01, 0.07)) for _ in range(300)]
     bodies = [shapes[i % 5].body(place, sq.randomOrientation(rng), material) for i, place in enumerate(places)]

@@ -1,7 +1,9 @@
 """In a Debian with the package: YADE has the plugin, Python the modules, both where YADE keeps its own."""
 import os
 
-from yade import config, superquadric as sq
+from yade import config
+from yade import superquadric as sq
+
 from yade.superquadric.materials.elastoplastic import elastoplasticMat
 
 assert 'YADE_PREFIX' not in os.environ

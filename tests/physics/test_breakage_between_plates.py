@@ -1,4 +1,5 @@
-"""A particle between two plates that approach, as in a crushing test: it breaks when its stress reaches its strength, and the force then is what the criterion says.
+"""A particle between two plates that approach, as in a crushing test: it breaks when its stress reaches its strength, and the
+force then is what the criterion says.
 And the strengths of many particles: Weibull's distribution, and its fall with size."""
 import math
 

@@ -28,8 +28,11 @@ def testFlatImpactRestitutesLikeASphere(angle):
 
 def testConvergesToIdealCylinder():
     """The edge of an n1 = 8 cylinder is rounded; with n1 the lever arm, and with it the rebound, nears the sharp one's."""
+    def ideal(angle):
+        return cylinderimpact.closedForm(cylinderimpact.idealLever(angle), cylinderimpact.MASS, cylinderimpact.INERTIA)
+
     def distance(n1):
-        return sum(abs(cylinderimpact.impact(angle, n1)[0].velocity - cylinderimpact.closedForm(cylinderimpact.idealLever(angle), cylinderimpact.MASS, cylinderimpact.INERTIA).velocity) for angle in range(5, 90, 10))
+        return sum(abs(cylinderimpact.impact(angle, n1)[0].velocity - ideal(angle).velocity) for angle in range(5, 90, 10))
 
     at8, at12, at20 = distance(8.0), distance(12.0), distance(20.0)
     assert at20 < at12 < at8

@@ -6,13 +6,12 @@ References: Mindlin's tangential stiffness ks = kn E*/(4 G*), i.e. kn 2 (1 - nu)
 import math
 import random
 
+import isolatedpairs
 import pytest
+from elastoplasticcollision import ALL_DISSIPATE, KINDS, PARTNERS, RADIUS, SINKS, Collision, Prescribed, booked, effectiveModulus, yieldSpeed
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import ElastoplasticMat
-
-import isolatedpairs
-from elastoplasticcollision import ALL_DISSIPATE, KINDS, PARTNERS, RADIUS, SINKS, Collision, Prescribed, booked, effectiveModulus, yieldSpeed
 
 FRICTION = 0.3
 DEPTH = 1e-6  # [m], some 20 times the overlap at yield

@@ -7,13 +7,23 @@ as the speed to the power -1/4 where the mean pressure stays as it is.
 import math
 
 import pytest
+from elastoplasticcollision import (
+    ALUMINIUM,
+    KINDS,
+    PARTNERS,
+    RADIUS,
+    Collision,
+    Prescribed,
+    booked,
+    effectiveModulus,
+    elasticDuration,
+    yieldOverlap,
+    yieldSpeed,
+)
 from yade import O
 
 import yade.superquadric as sq
 from yade.superquadric.validations.elastoplasticimpact import limitExponent, powerLaw, pressedPath, restitution, yieldPoint
-
-from elastoplasticcollision import (
-    ALUMINIUM, KINDS, PARTNERS, RADIUS, Collision, Prescribed, booked, effectiveModulus, elasticDuration, yieldOverlap, yieldSpeed)
 
 EXACT = 1e-12  # relative: the same formula, other order of the operations
 FINE = 4000    # steps a collision, with which the work is known to 1e-7 (the kink at yield and the turning point cost most)

@@ -10,7 +10,7 @@ from yade import O, utils
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
-from yade.superquadric.experiments.impact.impactor import surfaceSpeed
+from yade.superquadric.experiments.impact.fall import surfaceSpeed
 
 RADIUS, DENSITY = 0.025, 3003  # [m], [kg/m3]
 SPEED = math.sqrt(5 ** 2 + 2 * 9.81 * 0.30)  # [m/s]

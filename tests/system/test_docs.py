@@ -4,14 +4,13 @@ import functools
 import re
 import shlex
 import subprocess
-from pathlib import Path
 
-import __main__
 import docblocks
 import pytest
+from project import LIMIT, PROJECT
 from yade import O
 
-from project import LIMIT, PROJECT
+import __main__
 
 PAGES = [PROJECT / 'README.md', PROJECT / 'CONTRIBUTING.md', *sorted((PROJECT / 'docs').glob('*.md'))]
 CONSOLE = dict(vars(__main__))  # the names that YADE's console offers: pytest runs in one

@@ -1,4 +1,5 @@
-"""docs/extending.md holds: the law that it writes is compiled as it stands there, loaded by YADE beside the plugin, and passes the page's own test."""
+"""docs/extending.md holds: the law that it writes is compiled as it stands there, loaded by YADE beside the plugin, and passes the page's own
+test."""
 import json
 import os
 import re
@@ -9,7 +10,6 @@ from pathlib import Path
 
 import docblocks
 import pytest
-
 from project import LIMIT, PROJECT
 
 BUILD = Path(os.environ['SUPERQUADRIC_BUILD'])

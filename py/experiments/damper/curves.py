@@ -11,8 +11,9 @@ from ...files.results import readCsv, readJson
 from ...pictures.style import COLOURS, MARKERS, newFigure, outerLegend
 from ...runs.filenames import SUMMARY
 from ...statistics.samples import typicalValue
+from ...typealiases import Floats
 from ..quantities import Quantity, axisLabel, xSentence
-from .motion import RECORD, Array, Motion, lastPeriods, spectrum
+from .motion import RECORD, Motion, lastPeriods, spectrum
 
 AMPLITUDE = Quantity('amplitude at the drive\'s frequency', '', 'mm', 1e3)
 PHASE_LAG = Quantity('phase lag', '', 'degrees')
@@ -96,7 +97,7 @@ def _recordOf(folder: str) -> tuple[Motion, dict[str, Any]]:
     return lastPeriods(record, given['periods'], given['samples']), given
 
 
-def _bodies(motion: Motion) -> Iterator[tuple[Array, Array, str, str]]:
+def _bodies(motion: Motion) -> Iterator[tuple[Floats, Floats, str, str]]:
     """(displacement, velocity, colour, label) of box and particles."""
     yield motion.box, motion.boxVelocity, COLOURS[0], 'box'
     yield motion.centroid - motion.centroid.mean(), motion.centroidVelocity, COLOURS[1], 'centre of mass of the particles, its mean taken off'

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-Array = NDArray[np.float64]
+from ...typealiases import ArrayLike, Floats
 
 RECORD = 'motion.csv'  # of a run
 LONGEST = 8          # periods of the drive after which a motion is compared with itself, at most
@@ -22,12 +21,12 @@ class Motion(NamedTuple):
     along the axis on which the box moves, in the scene's axes: the box from its empty equilibrium, the centre of mass from where it was before the
     drive; mean force of the contacts on the box since the record before [N]."""
 
-    time: Array
-    box: Array
-    boxVelocity: Array
-    centroid: Array
-    centroidVelocity: Array
-    contactForce: Array
+    time: Floats
+    box: Floats
+    boxVelocity: Floats
+    centroid: Floats
+    centroidVelocity: Floats
+    contactForce: Floats
 
 
 def ofRecorder(recorder: Any, axis: str, startTime: float, restCentroid: Sequence[float]) -> Motion:
@@ -37,7 +36,7 @@ def ofRecorder(recorder: Any, axis: str, startTime: float, restCentroid: Sequenc
     """
     index = 'xyz'.index(axis)
 
-    def component(vectors: Iterable[Sequence[float]]) -> Array:
+    def component(vectors: Iterable[Sequence[float]]) -> Floats:
         return np.array([vector[index] for vector in vectors])
     return Motion(np.array(recorder.times) - startTime, component(recorder.boxDisplacement), component(recorder.boxVelocity),
                   component(recorder.centroidPosition) - restCentroid[index], component(recorder.centroidVelocity), component(recorder.contactForce))
@@ -64,14 +63,14 @@ def phaseLag(amplitude: complex) -> float:
     return math.degrees(-math.atan2(amplitude.imag, amplitude.real)) % 360
 
 
-def spectrum(values: ArrayLike, step: float) -> tuple[Array, Array]:
+def spectrum(values: ArrayLike, step: float) -> tuple[Floats, Floats]:
     """Frequencies [Hz] and amplitudes of a record over whole periods, its mean taken off; `step` between records [s]."""
     record = np.asarray(values)
     amplitudes = 2 / len(record) * np.abs(np.fft.rfft(record - record.mean()))
     return np.fft.rfftfreq(len(record), step), amplitudes
 
 
-def lines(frequencies: Array, amplitudes: Array) -> list[tuple[float, float]]:
+def lines(frequencies: Floats, amplitudes: Floats) -> list[tuple[float, float]]:
     """(frequency, amplitude) of the highest local maxima of a spectrum, highest first."""
     inner = amplitudes[1:-1]
     tops = 1 + np.flatnonzero((inner >= amplitudes[:-2]) & (inner > amplitudes[2:]) & (inner >= LOWEST_LINE * amplitudes.max()))
@@ -101,7 +100,7 @@ def period(differences: Iterable[float]) -> int | None:
     return next((k for k, difference in enumerate(differences, 1) if difference < REPEATS), None)
 
 
-def loopFill(values: Array, velocities: Array, periods: int) -> float:
+def loopFill(values: Floats, velocities: Floats, periods: int) -> float:
     """Area that the motion goes round in its phase plane in a period, over that of the rectangle about it: pi/4 for a sine, 1 for a
     rectangle, [-]; 0 for no motion. Mean over the `periods`."""
     box = np.ptp(values) * np.ptp(velocities)
@@ -109,7 +108,7 @@ def loopFill(values: Array, velocities: Array, periods: int) -> float:
     return float(abs(np.sum(velocities * turn)) / (2 * periods * box)) if box else 0.0
 
 
-def describe(times: Array, values: Array, velocities: Array, periods: int, samples: int, frequency: float, force: float) -> dict[str, Any]:
+def describe(times: Floats, values: Floats, velocities: Floats, periods: int, samples: int, frequency: float, force: float) -> dict[str, Any]:
     """What is to be known of displacements and velocities over whole `periods` of `samples` records: a dict for JSON. SI units, angles in degrees.
 
     :param force: amplitude of the driving force [N]; it is sin(2 pi frequency t)

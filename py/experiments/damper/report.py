@@ -9,17 +9,17 @@ from yade.wrapper import VibrationRecorder
 
 from ...files import results
 from ...pictures import attempt
-from ...runs import filenames
+from ...runs.filenames import SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import engine
-from . import motion as dampermotion, plots
+from . import motion as dampermotion
+from . import plots
 from .energy import CLOSED, account, isSteady
 from .motion import RECORD, Motion
 
 if TYPE_CHECKING:
     from .run import DamperRun
 
-SUMMARY = filenames.SUMMARY
 PICTURES = SPECTRUM, PHASES, HISTORY, ENERGIES = ('spectrum.png', 'phases.png', 'motion.png', 'energies.png')
 FILES = (SUMMARY, RECORD, *PICTURES)
 

@@ -22,7 +22,8 @@ from ...runs.state import State, later
 from ...scene.contactlaws import CURVATURE
 from ...scene.engines import engine, halfSizes, superquadricEngines
 from ...scene.filling import rainFilling
-from ...scene.settling import RestCriterion, settle as settleBed
+from ...scene.settling import RestCriterion
+from ...scene.settling import settle as settleBed
 from ...scene.walls import boxContainer
 from . import report
 from .parameters import DamperParameters

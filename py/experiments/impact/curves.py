@@ -1,10 +1,15 @@
 """The force on the base over time, as mean and band over the seeds, from the records of the runs."""
+from __future__ import annotations
+
 import os
+from collections.abc import Iterable, Sequence
+from typing import Any
 
 import numpy
 
 from ...pictures.style import COLOURS, MARKERS, newFigure, rampColours
 from ...statistics.curves import FEWEST, meanCurve
+from ...typealiases import Floats
 from ..quantities import xSentence, xText
 
 RECORD = 'force.csv'  # of a run: time series of the impact
@@ -12,8 +17,10 @@ SAMPLES = 900       # of the common time axis
 BEFORE = 0.1        # ms of the axis before the first touch
 QUIET = 0.03        # of the highest mean force in the figure: a line that stays below has ended
 
+Run = tuple[Floats, Floats]  # times and forces
 
-def readRecord(path, staticForce):
+
+def readRecord(path: str, staticForce: float) -> Run:
     """Time [s] since the impactor's first touch, and force on the base less the static one [N], of a run's force.csv.
 
     :raises ValueError: no such columns, or the impactor never touches
@@ -31,7 +38,7 @@ def readRecord(path, staticForce):
     return time - time[touching[0]], force - staticForce
 
 
-def drawCurves(data, series, values, panels, records):
+def drawCurves(data: Any, series: Sequence[str], values: Sequence[Any], panels: str, records: str) -> Any:
     """The figure: `panels` says what has a panel each, series or x; the other one has the lines.
 
     :param data: `GroupData`; :param series, values: those to draw; :param records: folder of the impacts' folders
@@ -45,7 +52,9 @@ def drawCurves(data, series, values, panels, records):
     columns = min(len(titles), 3) if len(titles) != 4 else 2
     rows = -(-len(titles) // columns)
     figure, axes = newFigure(columns, rows, 4.4 if columns > 1 else 6.4, 3.6, sharex=True, sharey=True)
-    colours = rampColours(len(lines)) if bySeries else [COLOURS[data.series.index(name) % len(COLOURS)] for name in lines]
+    colours: Sequence[Any] = rampColours(len(lines))
+    if not bySeries:
+        colours = [COLOURS[data.series.index(name) % len(COLOURS)] for name in lines]
     handles = {}
     for panel, title in zip(axes.flat, titles):
         for k, line in enumerate(lines):
@@ -60,19 +69,19 @@ def drawCurves(data, series, values, panels, records):
     return figure
 
 
-def _load(rows, records):
+def _load(rows: Any, records: str) -> list[Run]:
     """[(times [ms], forces [N])] of a point's beds, each the mean over the places that were hit."""
     return [_meanOver([readRecord(os.path.join(records, run, RECORD), static) for run, static in zip(bed['run'], bed['staticForce'])])
             for _, bed in rows.groupby('bed', sort=False)]
 
 
-def _meanOver(runs):
+def _meanOver(runs: Sequence[Run]) -> Run:
     """One record for several of the same bed, on the times of the shortest."""
     times = min((time for time, _ in runs), key=lambda time: time[-1])
     return 1e3 * times, numpy.mean([numpy.interp(times, *run) for run in runs], axis=0)
 
 
-def _unit(curves):
+def _unit(curves: dict[Any, list[Run]]) -> str:
     """Turn the forces into kN if they are large enough. Returns the unit."""
     if max(force.max() for runs in curves.values() for _, force in runs) < 500:
         return 'N'
@@ -81,7 +90,7 @@ def _unit(curves):
     return 'kN'
 
 
-def _end(curves):
+def _end(curves: dict[Any, list[Run]]) -> float:
     """The time [ms] when the last of the mean curves has died away, and a little more."""
     longest = max(time[-1] for runs in curves.values() for time, _ in runs)
     times = numpy.linspace(0, longest, 2000)
@@ -91,7 +100,7 @@ def _end(curves):
     return min(longest, 1.1 * times[loud] + BEFORE)
 
 
-def _drawLine(axes, runs, end, colour, marker, phase):
+def _drawLine(axes: Any, runs: Sequence[Run], end: float, colour: Any, marker: str, phase: float) -> Any:
     """Mean with its band, or with the runs if they are too few for one; a few markers on the pulse, from `phase` on."""
     times = numpy.linspace(-BEFORE, end, SAMPLES)
     mean, half = meanCurve(runs, times)
@@ -105,7 +114,7 @@ def _drawLine(axes, runs, end, colour, marker, phase):
     return axes.plot(times, mean, color=colour, lw=1.6, marker=marker, ms=5, mec='white', mew=0.7, markevery=marked)[0]
 
 
-def _finish(axes, used, unit):
+def _finish(axes: Any, used: int, unit: str) -> None:
     for panel in axes.flat[used:]:
         panel.set_axis_off()
     columns = axes.shape[1]
@@ -117,7 +126,7 @@ def _finish(axes, used, unit):
             panel.set_ylabel(f'force on the base [{unit}]')
 
 
-def _legend(figure, handles, lines, title):
+def _legend(figure: Any, handles: dict[Any, Any], lines: Iterable[Any], title: str | None) -> None:
     shown = [line for line in lines if line in handles and line != '']
     if shown:
         figure.legend([handles[line] for line in shown], [xText(line) for line in shown], title=title,

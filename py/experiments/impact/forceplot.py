@@ -1,14 +1,22 @@
 """Pictures with matplotlib, without a display: the force over time."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from ...files.wholefile import ReplacingBytes
+from .pulse import Pulse
+
+Record = tuple[Sequence[float], Sequence[float]]  # times and forces
 
 
-def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
+def forcePicture(path: str, record: Record, pulse: Pulse, staticForce: float, bare: Record | None = None, title: str = '') -> None:
     """Force on the base over time, as PNG.
 
     :param record: (times [s], forces [N]) with the bed, times from the start of the record
-    :param pulse: `impact.Pulse` of the same; :param staticForce: what the base bore before [N]
+    :param pulse: `Pulse` of the same; :param staticForce: what the base bore before [N]
     :param bare: (times, forces) of the impact on the bare base, moved in time to the first touch
     """
     figure, axes = _figure(8, 4.8)
@@ -35,7 +43,7 @@ def forcePicture(path, record, pulse, staticForce, bare=None, title=''):
     _save(figure, path)
 
 
-def _figure(width, height):
+def _figure(width: float, height: float) -> tuple[Any, Any]:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
     figure = Figure(figsize=(width, height), layout='constrained')
@@ -43,6 +51,6 @@ def _figure(width, height):
     return figure, figure.subplots()
 
 
-def _save(figure, path):
+def _save(figure: Any, path: str) -> None:
     with ReplacingBytes(path) as file:
         figure.savefig(file, format='png', dpi=150, metadata={'Software': None})

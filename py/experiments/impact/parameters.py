@@ -57,7 +57,7 @@ class PouredBed(Bed, Material, SizedParticles):
         """Number of particles that the parameters ask for."""
         if self.particles is not None:
             return self.particles
-        container = Container(None, (), self.containerDiameter / 2, None, None, self.containerHeight)
+        container = Container(-1, (), self.containerDiameter / 2, None, None, self.containerHeight)
         return particleNumber(self.thickness, self.meanShape, container, self.solidFraction)
 
     def check(self) -> None:

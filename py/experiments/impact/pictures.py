@@ -9,8 +9,8 @@ from ...pictures import attempt, render, renderer
 from ...pictures.snapshotrecorder import SnapshotRecorder, SnapshotSequence, removeSnapshots
 from ...vtk import recorder
 from . import forceplot
-from .impactor import Pulse
 from .parameters import ImpactParameters
+from .pulse import Pulse
 
 if TYPE_CHECKING:
     from .run import ImpactRun

@@ -8,10 +8,10 @@ from yade import O
 from yade.wrapper import CurvatureMat
 
 from ...scene.container import Container
-from ...scene.walls import cylinderContainer
 from ...scene.engines import criticalTimeStep, superquadricEngines
 from ...scene.expectedbed import DENSEST
 from ...scene.filling import rainFilling
+from ...scene.walls import cylinderContainer
 from .parameters import PouredBed
 
 MOST_POURS = 6      # of a bed whose thickness is not the one aimed at, before the best one is taken

@@ -9,7 +9,7 @@ from yade import O
 from ...files import results
 from ...measure.snapshot import Snapshot
 from ...pictures import snapshotrecorder
-from ...runs import filenames
+from ...runs.filenames import BEFORE, SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import criticalTimeStep
 from . import pictures
@@ -19,7 +19,7 @@ from .fall import surfaceSpeed
 if TYPE_CHECKING:
     from .run import ImpactRun
 
-SUMMARY, BEFORE, AFTER = filenames.SUMMARY, filenames.BEFORE, 'after.npz'
+AFTER = 'after.npz'
 FILES = (SUMMARY, RECORD, BEFORE, AFTER)
 
 

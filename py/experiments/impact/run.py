@@ -14,18 +14,22 @@ from ...files import results
 from ...measure.bed import measureBed
 from ...measure.snapshot import Snapshot
 from ...pictures.snapshotrecorder import SnapshotRecorder
+from ...runs.filenames import BEFORE
 from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
 from ...scene.engines import engine
-from ...scene.settling import RestCriterion, setYoung, settle, stiffen as stiffenBed
+from ...scene.settling import RestCriterion, settle, setYoung
+from ...scene.settling import stiffen as stiffenBed
 from ...scene.settlingrules import QUIET, SUPPORT, TRUE_QUIET, TRUE_SUPPORT, rampSteps
 from ...scene.stepping import Interrupted
 from ...scene.walls import setHeight
 from . import pictures, report
-from .impactor import Recorder, addImpactor, bareImpact, pulse, recordImpact, supportForce
+from .curves import RECORD
+from .impactor import Recorder, addImpactor, bareImpact, recordImpact, supportForce
 from .parameters import ImpactParameters
 from .pouring import nextCount, rain
+from .pulse import pulse
 
 REST_STEPS = 10000  # time steps at most, per layer, for the bed to come to rest with its true stiffness
 STATIC_STEPS = 200  # time steps over which the base's force is averaged before the impact
@@ -73,11 +77,10 @@ def pour(run: ImpactRun) -> bool:
 def _betterCount(run: ImpactRun) -> int | None:
     """How many particles to pour instead, None if this is the bed."""
     p, pours = run.parameters, run.state.pours
-    thickness = measureBed(Snapshot.ofBodies(run.ids), run.container)['thickness']
-    pours.append({'number': len(run.ids), 'thickness': thickness})
+    pours.append({'number': len(run.ids), 'thickness': measureBed(Snapshot.ofBodies(run.ids), run.container)['thickness']})
     better = nextCount(pours, p.thickness, p.thicknessTolerance) if p.particles is None else None
     if better is not None:
-        run.say(f'thickness {1e3 * thickness:.2f} mm instead of {1e3 * p.thickness:.2f} mm: {better} particles are poured instead')
+        run.say(f'thickness {1e3 * pours[-1]["thickness"]:.2f} mm instead of {1e3 * p.thickness:.2f} mm: {better} particles are poured instead')
     return better
 
 
@@ -104,7 +107,7 @@ def rest(run: ImpactRun) -> None:
 def measure(run: ImpactRun) -> None:
     container = setHeight(run.container, run.parameters.containerHeight)
     before = Snapshot.ofBodies(run.ids)
-    before.save(run.path(report.BEFORE))
+    before.save(run.path(BEFORE))
     run.state.bed, run.state.container = measureBed(before, container), container._asdict()
 
 
@@ -239,7 +242,7 @@ class ImpactRun(BedRun[ImpactParameters, ImpactState]):
     def writeRecord(self) -> None:
         """The record so far."""
         if self.recorder is not None:
-            results.writeCsv(self.path(report.RECORD), Recorder.COLUMNS, self.recorder.rows)
+            results.writeCsv(self.path(RECORD), Recorder.COLUMNS, self.recorder.rows)
 
     def say(self, text: str) -> None:
         self.stepper.say(text)

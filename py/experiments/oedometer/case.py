@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...files import results
 from ...measure.bed import particleVolumes
@@ -14,6 +13,7 @@ from ...measure.contactstatistics import Contacts
 from ...measure.grading import Grading
 from ...measure.snapshot import Snapshot
 from ...runs.filenames import BEFORE, SUMMARY
+from ...typealiases import Floats
 
 CONSERVED = 1e-9        # the volume is, if it is off by no more
 SLOW = 0.05             # the test is slow enough if the stresses on plate and base differ by no more
@@ -27,25 +27,25 @@ class Case(NamedTuple):
     first particles that they are of, None without fragments; contacts: `Contacts` at the end."""
 
     summary: dict[str, Any]
-    stress: dict[str, NDArray[np.float64]]
+    stress: dict[str, Floats]
     before: Grading
     after: Grading
     relative: Grading | None
     contacts: Contacts
 
 
-def columns(path: str) -> dict[str, NDArray[np.float64]]:
+def columns(path: str) -> dict[str, Floats]:
     """{column: array} of a CSV file that `results.writeCsv` wrote."""
     names, rows = results.readCsv(path)
     return dict(zip(names, np.array(rows).reshape(-1, len(names)).T))
 
 
-def sizesOf(snapshot: Snapshot) -> NDArray[np.float64]:
+def sizesOf(snapshot: Snapshot) -> Floats:
     """Diameters (N,) [m] of the spheres of the particles' volumes."""
     return (6 / np.pi * particleVolumes(snapshot)) ** (1 / 3)
 
 
-def relativeGrading(particles: Mapping[str, NDArray[Any]], before: Snapshot) -> Grading | None:
+def relativeGrading(particles: Mapping[str, Floats], before: Snapshot) -> Grading | None:
     """`Grading` of the fragments' sizes over those of their first ancestors; None without fragments.
 
     :param particles: {column: array}, with diameter [m], ancestor (-1: none), volume; :param before: `Snapshot` of the first particles

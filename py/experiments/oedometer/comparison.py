@@ -8,6 +8,7 @@ from typing import Any, TextIO
 
 from ...files import results
 from ...runs import checkpoint, finishedbed
+from ...runs.filenames import SUMMARY
 from ...runs.parameters import BED as BED_SCOPE
 from . import case, plots
 from .parameters import MODES, OedometerParameters
@@ -83,7 +84,7 @@ def _start(folder: str, stream: TextIO | None, begin: Callable[[], OedometerRun]
 
 def _finished(folder: str, parameters: OedometerParameters) -> dict[str, Any] | None:
     """The summary in a folder if it is that of the `parameters`; None otherwise."""
-    path = os.path.join(folder, case.SUMMARY)
+    path = os.path.join(folder, SUMMARY)
     if not os.path.exists(path):
         return None
     summary = results.readJson(path)

@@ -1,14 +1,22 @@
 """Curves of oedometer tests in studies: means over the beds with their bands, a line per point; like the figures of Zhao & Chi (2023)."""
+from __future__ import annotations
+
 import os
+from collections.abc import Iterator, Sequence
+from typing import Any, NamedTuple
 
 import numpy
 
 from ...measure import contactstatistics
-from . import case as oedometercase
-from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
-from ...statistics.curves import meanCurve
-from ..quantities import xText
+from ...measure.contactstatistics import Contacts
+from ...measure.grading import Grading
 from ...pictures.style import COLOURS, newFigure, outerLegend
+from ...statistics.curves import meanCurve
+from ...typealiases import Floats
+from ..quantities import xText
+from . import case as oedometercase
+from .case import Case
+from .plots import FORCE_EDGES, LABELS, RELATIVE_LOWEST, SIDES, plainTicks
 
 SAMPLES = 400
 FINEST = 1e-3           # of the mass: below, the axis of sizes ends
@@ -16,10 +24,10 @@ MOST_CONTACTS = 25      # of a particle, on the axis
 RAREST = 1e-3           # probability density at which the axis of forces ends: in a bin less than one particle of 1,000
 
 
-def drawStresses(data, series, values, panels, records):
+def drawStresses(data: Any, series: Sequence[str], values: Sequence[Any], panels: str, records: str) -> Any:
     """Axial and lateral stress over strain, void ratio over axial stress, number of particles over strain."""
     figure, ((strains, voids, numbers),) = newFigure(3, 1, 4.4, 3.8)
-    for label, colour, cases in _lines(data, series, values, records):
+    for label, colour, cases, _ in _lines(data, series, values, records):
         tests = [case.stress for case in cases]
         at = numpy.linspace(0, max(test['strain'][-1] for test in tests), SAMPLES)
         for panel, column, unit, style in ((strains, 'plateStress', 1e-6, {'label': label}), (strains, 'lateralStress', 1e-6, {'lw': 0.9, 'ls': ':'}),
@@ -37,15 +45,15 @@ def drawStresses(data, series, values, panels, records):
     return figure
 
 
-def drawGradings(data, series, values, panels, records):
+def drawGradings(data: Any, series: Sequence[str], values: Sequence[Any], panels: str, records: str) -> Any:
     """Grading curves before and after; and of the fragments, over the sizes of the particles that they are of."""
     figure, ((whole, relative),) = newFigure(2, 1, 5.2, 4.0)
-    lowest, largest, known = 1.0, 0.0, set()
-    for label, colour, cases in _lines(data, series, values, records):
+    lowest, largest = 1.0, 0.0
+    known: set[frozenset[str]] = set()
+    for label, colour, cases, beds in _lines(data, series, values, records):
         finest, coarsest = min(case.after.size(FINEST) for case in cases), max(case.before.sizes[-1] for case in cases)
         lowest, largest = min(lowest, finest), max(largest, coarsest)
         sizes = numpy.geomspace(finest, 1.001 * coarsest, SAMPLES)
-        beds = frozenset(case.bed for case in cases)
         if beds not in known:   # lines on the same beds begin alike
             first = None if known else 'before'
             known.add(beds)
@@ -63,11 +71,11 @@ def drawGradings(data, series, values, panels, records):
     return figure
 
 
-def drawContacts(data, series, values, panels, records):
+def drawContacts(data: Any, series: Sequence[str], values: Sequence[Any], panels: str, records: str) -> Any:
     """Distributions of contact number and mean contact force, with rattlers (left) and without (right)."""
     figure, axes = newFigure(2, 2, 4.6, 3.2)
     numbers, middles = numpy.arange(MOST_CONTACTS + 1), (FORCE_EDGES[1:] + FORCE_EDGES[:-1]) / 2
-    for label, colour, cases in _lines(data, series, values, records):
+    for label, colour, cases, _ in _lines(data, series, values, records):
         for column, choice in enumerate((lambda contacts: contacts, contactstatistics.withoutRattlers)):
             chosen = [choice(case.contacts) for case in cases]
             shares = [(numbers, _shares(contacts, numbers)) for contacts in chosen]
@@ -81,26 +89,28 @@ def drawContacts(data, series, values, panels, records):
     return figure
 
 
-def _lines(data, series, values, records):
-    """(label, colour, cases of the beds) of every point that has finished tests."""
+class _Line(NamedTuple):
+    """A line of the pictures: the finished tests of a point, and the beds that they are on."""
+
+    label: str
+    colour: str
+    cases: list[Case]
+    beds: frozenset[str]
+
+
+def _lines(data: Any, series: Sequence[str], values: Sequence[Any], records: str) -> Iterator[_Line]:
+    """Of every point that has finished tests."""
     points = [(name, x) for name in series for x in values if len(data.rows(name, x))]
     severalValues = len({x for _, x in points}) > 1
     for k, (name, x) in enumerate(points):
         label = f'{name} {xText(x)}'.strip() if severalValues or not name else name
         rows = data.rows(name, x)
-        yield label, COLOURS[k % len(COLOURS)], [_BedCase(oedometercase.load(os.path.join(records, run)), bed)
-                                                 for run, bed in zip(rows['run'], rows['bed'])]
+        cases = [oedometercase.load(os.path.join(records, run)) for run in rows['run']]
+        yield _Line(label, COLOURS[k % len(COLOURS)], cases, frozenset(rows['bed']))
 
 
-class _BedCase:
-    """An `oedometercase.Case`, and which bed it is on."""
-
-    def __init__(self, case, bed):
-        self.stress, self.before, self.after, self.relative, self.contacts = case[1:]
-        self.bed = bed
-
-
-def _drawBand(axes, at, curves, colour, unit, lowest=None, **style):
+def _drawBand(axes: Any, at: Floats, curves: Sequence[tuple[Floats, Floats]], colour: str, unit: float, lowest: float | None = None,
+              **style: Any) -> None:
     """Mean of `curves` [(x, y)] at `at` with its band over the beds; `unit`: of x; `lowest`: what is below is not there (on logarithmic axes)."""
     mean, half = meanCurve(curves, at)
     if lowest is not None:
@@ -111,12 +121,12 @@ def _drawBand(axes, at, curves, colour, unit, lowest=None, **style):
     axes.plot(unit * at, mean, color=colour, **{'lw': 1.5, **style})
 
 
-def _finer(gradings, sizes):
+def _finer(gradings: Sequence[Grading], sizes: Floats) -> list[tuple[Floats, Floats]]:
     """[(sizes, mass finer [%])]"""
     return [(sizes, 100 * grading.finer(sizes)) for grading in gradings]
 
 
-def _shares(contacts, numbers):
+def _shares(contacts: Contacts, numbers: Floats) -> Floats:
     """Share of the particles that have so many contacts, for each of `numbers` 0, 1, ..."""
     found = contactstatistics.numberDistribution(contacts)[1]
     return numpy.pad(found, (0, max(0, len(numbers) - len(found))))[:len(numbers)]

@@ -14,10 +14,12 @@ from ...measure.bed import particleVolumes
 from ...measure.contactstatistics import Contacts
 from ...measure.snapshot import Snapshot
 from ...pictures import attempt, renderer
+from ...runs.filenames import BEFORE, SUMMARY
 from ...runs.versions import versions
 from ...scene.engines import engine
-from . import case as oedometercase, plots
-from .case import BEFORE, CONSERVED, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, SLOW, STRESS, SUMMARY, sizesOf
+from . import case as oedometercase
+from . import plots
+from .case import CONSERVED, EVENTS, FORCES, GRADING, NUMBERS, PARTICLES, SLOW, STRESS, sizesOf
 from .parameters import OedometerParameters
 from .record import COLUMNS
 

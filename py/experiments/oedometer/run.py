@@ -15,12 +15,14 @@ from yade import O, utils
 from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat, NewtonIntegrator, Sphere, Superquadric
 
 from ...measure.snapshot import Snapshot, boxHalfHeights
+from ...runs.filenames import BEFORE
 from ...runs.onbed import BedRun
 from ...runs.staged import Stage
 from ...runs.state import BedState, later
 from ...scene.engines import engine, superquadricEngines
 from ...scene.filling import rainFilling
-from ...scene.settling import RestCriterion, settle as settleBed
+from ...scene.settling import RestCriterion
+from ...scene.settling import settle as settleBed
 from ...scene.walls import boxContainer, cylinderContainer, setHeight
 from . import report
 from .parameters import BOX, OedometerParameters
@@ -77,7 +79,7 @@ def hold(run: OedometerRun) -> bool:
     if _plateStress(run, HOLD_STEPS) < HELD_SHARE * run.parameters.seatingStress:
         run.movePlate(SEATING_SPEED)
         return False
-    Snapshot.ofBodies(run.ids).save(run.path(report.BEFORE))
+    Snapshot.ofBodies(run.ids).save(run.path(BEFORE))
     run.state.height = float(run.plate.state.pos[2])
     return True
 

@@ -78,7 +78,8 @@ def _costs(particles: int) -> tuple[float, float]:
 OEDOMETERS = Experiment(
     name='oedometer', script='oedometer.py', folder='tests', parameters=OedometerParameters, bedJobs=True,
     particleCount=lambda parameters: parameters.particles, costs=_costs, places=None,
-    measured=COLUMNS, runSeconds='runSeconds', shown=('strain', 'stress', 'onsetStress', 'number', 'hardin', 'fragmentsWidestGap', 'carryingContactNumber',
-                                    'carryingForceSpread', 'plateOverBase'),
+    measured=COLUMNS, runSeconds='runSeconds',
+    shown=('strain', 'stress', 'onsetStress', 'number', 'hardin', 'fragmentsWidestGap', 'carryingContactNumber', 'carryingForceSpread',
+           'plateOverBase'),
     concerns=_concerns, validations={'singleParticleCrushing': 'single_particle_crushing'},
     drawings={'stresses': drawStresses, 'gradings': drawGradings, 'contacts': drawContacts})

@@ -4,11 +4,10 @@ import random
 
 import numpy as np
 import pytest
+from breakagescene import RADIUS, Motion, breakAll, material, randomShape, scatter
 from yade import O
 
 import yade.superquadric as sq
-
-from breakagescene import RADIUS, Motion, breakAll, material, randomShape, scatter
 
 EVENTS = 2000      # of each mode
 CONSERVED = 1e-10  # relative: what the fragments and their parent may differ by; 1e-14 is seen

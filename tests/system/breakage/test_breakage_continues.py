@@ -2,12 +2,11 @@
 import math
 
 import pytest
+from breakagescene import material, singleThread
 from yade import O, utils
 from yade.wrapper import BreakageEngine, Wall
 
 import yade.superquadric as sq
-
-from breakagescene import material, singleThread
 
 RADIUS, SMALLEST = 4e-3, 1.6e-3
 STEPS = 3000  # from the start to where it is saved, and from there to the end

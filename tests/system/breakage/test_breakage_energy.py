@@ -1,5 +1,5 @@
-"""Total energy from before an event until its fragments have come apart: none is created. Many parents, each squeezed between neighbours by overlaps of
-contacts that push and slide, all at once and far from each other; nothing dissipates but breakage, so that every joule shows.
+"""Total energy from before an event until its fragments have come apart: none is created. Many parents, each squeezed between neighbours by
+overlaps of contacts that push and slide, all at once and far from each other; nothing dissipates but breakage, so that every joule shows.
 
 What rounding and the time step may do is measured by the same clusters without breakage.
 """
@@ -7,13 +7,12 @@ import random
 
 import numpy as np
 import pytest
+from breakagescene import RADIUS, Motion, material, singleThread
 from yade import O
 from yade.minieigenHP import Vector3
 from yade.wrapper import BreakageEngine
 
 import yade.superquadric as sq
-
-from breakagescene import RADIUS, Motion, material, singleThread
 
 CLUSTERS = 40
 OVERLAP = 0.01         # of the parent with its neighbours, over RADIUS, at most
@@ -21,9 +20,10 @@ STEP = 0.02            # over the critical one of the smallest fragment: what th
 SMALLEST = 0.4 * RADIUS
 STEPS = 3000           # until fragments and neighbours have left each other
 ROUNDING = 1e-12       # of the event itself, relative
-# What a cluster's energy grows by at most in its course, over that before. Spheres: the time step; 4e-4 seen with breakage, 1.3e-3 without. Blocks: their law has no
-# potential, 2 % seen with breakage, 0.5 % without; together with what it books of that as 'nonconservative' the account of all clusters closes as that of spheres. With friction the tangential force has none either: one
-# cluster of forty gains 0.3 %, the others less than 4e-6.
+# What a cluster's energy grows by at most in its course, over that before. Spheres: the time step; 4e-4 seen with breakage, 1.3e-3 without.
+# Blocks: their law has no potential, 2 % seen with breakage, 0.5 % without; together with what it books of that as 'nonconservative' the account of
+# all clusters closes as that of spheres. With friction the tangential force has none either: one cluster of forty gains 0.3 %, the others less than
+# 4e-6.
 LIMITS = {'spheres': 2e-3, 'rubbing spheres': 6e-3, 'blocks': 0.03}
 BOOKED = 3e-4           # error of O.energy's total over it: 1e-4 seen with and without breakage
 BOOKED_FRICTION = 0.02  # the same under friction, which the curvature law books to first order
@@ -73,8 +73,8 @@ def energies(groups):
 
 
 class Course:
-    """Energies of the clusters [J]: `before` the event, just `after` it, and in its `course` until the end, an array (times, clusters); what the engine says to
-    have taken out, `losses`; and how O.energy has changed, `booked`."""
+    """Energies of the clusters [J]: `before` the event, just `after` it, and in its `course` until the end, an array (times, clusters); what the
+    engine says to have taken out, `losses`; and how O.energy has changed, `booked`."""
 
     def __init__(self, kind, frictionAngle=0.0, breaks=True, **attributes):
         engine, groups = clusters(kind, frictionAngle, **attributes)

@@ -3,14 +3,22 @@ import math
 import re
 
 import pytest
+from breakagescene import RADIUS, breakAll, material, scatter
 from yade import O, utils
 from yade.wrapper import (
-    BreakableMat, BreakableState, BreakageEngine, CurvatureMat, InsertionSortCollider, InteractionLoop, Ip2_FrictMat_FrictMat_FrictPhys,
-    Law2_ScGeom_FrictPhys_CundallStrack, State, Superquadric)
+    BreakableMat,
+    BreakableState,
+    BreakageEngine,
+    CurvatureMat,
+    InsertionSortCollider,
+    InteractionLoop,
+    Ip2_FrictMat_FrictMat_FrictPhys,
+    Law2_ScGeom_FrictPhys_CundallStrack,
+    State,
+    Superquadric,
+)
 
 import yade.superquadric as sq
-
-from breakagescene import RADIUS, breakAll, material, scatter
 
 MATERIAL = dict(characteristicStrength=3e6, referenceSize=0.02, weibullModulus=4, smallestSize=1e-3)
 BAD_MATERIAL = [('characteristicStrength', 0), ('characteristicStrength', -1), ('characteristicStrength', math.nan), ('referenceSize', 0),
@@ -33,7 +41,8 @@ def test_refusedValueIsNamedAndTheObjectStaysAsItWas(kind, good, name, value):
     assert {key: getattr(thing, key) for key in good} == good
 
 
-@pytest.mark.parametrize('size, survival, name', [(0, 0.5, 'size'), (-1, 0.5, 'size'), (1, 0, 'survival'), (1, 1, 'survival'), (1, math.nan, 'survival')])
+@pytest.mark.parametrize('size, survival, name', [(0, 0.5, 'size'), (-1, 0.5, 'size'), (1, 0, 'survival'),
+                                                  (1, 1, 'survival'), (1, math.nan, 'survival')])
 def test_strengthOfNothingIsRefused(size, survival, name):
     with pytest.raises(ValueError, match=f'{name} must be'):
         BreakableMat(**MATERIAL).strength(size, survival)

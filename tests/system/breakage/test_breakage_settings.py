@@ -5,14 +5,13 @@ import subprocess
 
 import numpy as np
 import pytest
+from breakagescene import RADIUS, Motion, material, singleThread
+from project import LIMIT, SUPPORT
 from yade import O
 from yade.minieigenHP import Matrix3, Quaternion, Vector3
 from yade.wrapper import BreakageEngine
 
 import yade.superquadric as sq
-
-from breakagescene import RADIUS, Motion, material, singleThread
-from project import LIMIT, SUPPORT
 
 SMALLEST = 1.6e-3       # no fragment is smaller [m]
 STEP = 0.1              # time step over the critical one of that size

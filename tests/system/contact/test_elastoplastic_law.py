@@ -6,14 +6,13 @@ import subprocess
 import sys
 
 import pytest
+from project import LIMIT
 from yade import O, utils
 from yade.minieigenHP import Vector3
 from yade.wrapper import CurvatureMat, ElastoplasticMat, ElastoplasticPhys, InsertionSortCollider, InteractionLoop
 
 import yade.superquadric as sq
 from yade.superquadric.scene.settling import setYoung
-
-from project import LIMIT
 
 SIZE = 5e-3  # [m]
 SOFT = dict(young=1e8, poisson=0.3, density=2500, frictionAngle=0.4, normalDamping=0.05, tangentialDamping=0.05, rollingFriction=0.02,
@@ -55,10 +54,10 @@ def particle(i, center, generator, material):
 
 
 def withStockLoop():
-    """YADE's own loop in the place of ours, with the same functors."""
-    ours = engine(InteractionLoop)
-    functors = [dispatcher.functors for dispatcher in (ours.geomDispatcher, ours.physDispatcher, ours.lawDispatcher)]
-    O.engines = [InteractionLoop(*functors, loopOnSortedInteractions=True) if each == ours else each for each in O.engines]
+    """YADE's own loop in the place of the superquadrics', with the same functors."""
+    current = engine(InteractionLoop)
+    functors = [dispatcher.functors for dispatcher in (current.geomDispatcher, current.physDispatcher, current.lawDispatcher)]
+    O.engines = [InteractionLoop(*functors, loopOnSortedInteractions=True) if each == current else each for each in O.engines]
     onOneThread()
 
 
@@ -147,7 +146,7 @@ def pushed(shape, partner, soft=True, hardPartner=True):
     O.dt = 0.1 * sq.criticalTimeStep()
     for _ in range(100):
         O.step()
-        contacts = [i for i in O.interactions]
+        contacts = list(O.interactions)
         if contacts and (contacts[0].phys.residualOverlap > 0 or not soft):
             return contacts[0].phys
     raise AssertionError('no contact that yields')

@@ -5,11 +5,10 @@ subject of the unit tests of pkg/geometry."""
 import math
 
 import pytest
+from barescene import STILL, R, add, ball, block, emptyScene, engine  # noqa: F401 (emptyScene is a fixture)
 from yade import O
 from yade.minieigenHP import Matrix3, Quaternion, Vector3
 from yade.wrapper import Facet, HollowCylinder, InteractionLoop, Sphere, Superquadric, SuperquadricGeom, Wall
-
-from barescene import R, STILL, add, ball, block, emptyScene, engine  # noqa: F401 (emptyScene is a fixture)
 
 DEPTH = 1e-5
 

@@ -3,11 +3,10 @@ import itertools
 import math
 
 import pytest
+from barescene import R, add, block, emptyScene, engine  # noqa: F401 (emptyScene is a fixture)
 from yade import O
 from yade.minieigenHP import Matrix3, Quaternion, Vector3
 from yade.wrapper import HollowCylinder, InsertionSortCollider, Superquadric
-
-from barescene import R, add, block, emptyScene, engine  # noqa: F401 (emptyScene is a fixture)
 
 NAN, INF = float('nan'), float('inf')
 
@@ -59,7 +58,8 @@ def test_methodsOnAnEllipsoid():
     shape = Superquadric(extents=(a, b, c), n1=2, n2=2)
     mass = density * 4 / 3 * math.pi * a * b * c
     assert shape.volume() * density == pytest.approx(mass, rel=1e-12)
-    assert list(shape.inertia(density)) == pytest.approx([mass / 5 * (b * b + c * c), mass / 5 * (a * a + c * c), mass / 5 * (a * a + b * b)], rel=1e-12)
+    assert list(shape.inertia(density)) == pytest.approx(
+        [mass / 5 * (b * b + c * c), mass / 5 * (a * a + c * c), mass / 5 * (a * a + b * b)], rel=1e-12)
     assert shape.function((0, 0, 2 * c)) == pytest.approx(4, rel=1e-12)
     assert shape.gauge((0, 2 * b, 0)) == pytest.approx(2, rel=1e-12)
     assert shape.support((1, 1, 0)) == pytest.approx(math.hypot(a, b), rel=1e-12)

@@ -127,9 +127,9 @@ def shakenBox():
                              forceAmplitude=(0, 0, 5), frequency=25)
     recorder = VibrationRecorder(box=box, particles=particles, iterPeriod=10)  # the first after the 10 first steps
     O.engines = [*sq.superquadricEngines(afterForces=[box]), recorder]
-    for engine in O.engines:
-        if isinstance(engine, (InteractionLoop, InsertionSortCollider)):
-            engine.ompThreads = 1
+    for one in O.engines:
+        if isinstance(one, (InteractionLoop, InsertionSortCollider)):
+            one.ompThreads = 1
     O.trackEnergy = True
     O.dt = 0.1 * sq.criticalTimeStep()
 

@@ -9,11 +9,12 @@ import signal
 import pytest
 from yade import O
 from yade.wrapper import CurvatureMat
+
 import yade.superquadric as sq
 from yade.superquadric.experiments.damper import run as damper
 from yade.superquadric.experiments.damper.parameters import DamperParameters
-from yade.superquadric.experiments.damper.run import DamperRun
 from yade.superquadric.experiments.damper.report import FILES, text
+from yade.superquadric.experiments.damper.run import DamperRun
 
 SMALL = dict(particles=60, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, totalParticleMass=0.05, boxMass=0.1, stiffness=4000,
              forceAmplitude=5, frequency=30, transientTime=0.05, periods=5, samples=40, softening=1e4, maxSettlingTime=0.1)
@@ -115,7 +116,8 @@ def test_emptyBoxAnswersAsTheClosedFormDoes(tmp_path, frequency):
     assert summary['box']['period'] == 1 and summary['centroid'] is None and summary['energy']['shares'] == {'boxDashpot': 1}
 
 
-@pytest.mark.parametrize('changes', (dict(axis='x'), dict(law='curvature', softening=1000), dict(shape='cube'), dict(shape='cylinder', aspect=1.2, radiusSpread=0)))
+@pytest.mark.parametrize('changes', (dict(axis='x'), dict(law='curvature', softening=1000), dict(shape='cube'),
+                                     dict(shape='cylinder', aspect=1.2, radiusSpread=0)))
 def test_otherDirectionsLawsAndShapesClose(tmp_path, changes):
     summary = run(tmp_path, periods=2, timeStepFraction=0.1, **changes).run()
     assert abs(summary['energy']['balanceError']) < 0.02

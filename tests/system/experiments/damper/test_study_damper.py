@@ -12,12 +12,11 @@ import pytest
 import yade
 import yaml
 from matplotlib.image import imread
+from project import LIMIT, PROJECT
 
 from yade.superquadric.experiments.damper.study import DAMPERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
-
-from project import LIMIT, PROJECT
 
 SMALL = dict(particles=40, radius=1.5e-3, boxWidth=0.015, boxDepth=0.015, boxHeight=0.016, totalParticleMass=0.03, boxMass=0.1, stiffness=4000,
              forceAmplitude=5, transientTime=0.03, periods=4, samples=40, softening=1e4, maxSettlingTime=0.05)

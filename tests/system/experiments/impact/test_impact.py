@@ -9,19 +9,18 @@ import time
 
 import pytest
 from PIL import Image
+from project import LIMIT, PROJECT
 from yade import O
 from yade.wrapper import CurvatureMat
 
 import yade.superquadric as sq
 from yade.superquadric.experiments.impact import forceplot, report
-from yade.superquadric.pictures import render
-from yade.superquadric.files import results, sealed
 from yade.superquadric.experiments.impact.fall import surfaceSpeed
 from yade.superquadric.experiments.impact.impactor import supportForce
 from yade.superquadric.experiments.impact.parameters import ImpactParameters
 from yade.superquadric.experiments.impact.run import ImpactState
-
-from project import LIMIT, PROJECT
+from yade.superquadric.files import results, sealed
+from yade.superquadric.pictures import render
 
 SMALL = {'containerDiameter': 0.08, 'thickness': 0.015, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 SMALL_OPTIONS = [text for name, value in SMALL.items() for text in ('--' + name, str(value))]

@@ -7,13 +7,12 @@ from yade import O
 from yade.wrapper import InteractionLoop
 
 import yade.superquadric as sq
-from yade.superquadric.runs import checkpoint
-from yade.superquadric.pictures import renderer
 from yade.superquadric.experiments.impact import report
-from yade.superquadric.files import results, sealed
-from yade.superquadric.scene.contactlaws import EFFECTIVE_MASS_ATTRIBUTE
-from yade.superquadric.scene.engines import engine
 from yade.superquadric.experiments.oedometer.run import OedometerRun
+from yade.superquadric.files import results, sealed
+from yade.superquadric.pictures import renderer
+from yade.superquadric.runs import checkpoint
+from yade.superquadric.scene.engines import engine
 
 SMALL = {'containerDiameter': 0.07, 'thickness': 0.012, 'impactorDiameter': 0.03, 'thicknessTolerance': 1}
 
@@ -76,7 +75,7 @@ def test_theLawsBoundsReachTheLaw(bed, tmp_path):
              for i, change in enumerate(({}, {'overlapLimit': 0.3}, {'effectiveMassAtContact': False}))]
     assert len(set(peaks)) == 3
     law = engine(InteractionLoop).lawDispatcher.functors[0]
-    assert getattr(law, EFFECTIVE_MASS_ATTRIBUTE) is False and law.overlapLimit == 0.1
+    assert law.effectiveMassAtContact is False and law.overlapLimit == 0.1
 
 
 def test_aStifferBaseIsInTheContactsAndInP0(bed, tmp_path):
@@ -92,7 +91,7 @@ def test_aStifferBaseIsInTheContactsAndInP0(bed, tmp_path):
 
 
 def test_anotherBedIsRefused(bed, tmp_path):
-    with pytest.raises(ValueError, match=r"friction = 0.3: the bed in .* was poured with 0.4"):
+    with pytest.raises(ValueError, match=r'friction = 0.3: the bed in .* was poured with 0.4'):
         impact(bed, tmp_path, friction=0.3)
     with pytest.raises(ValueError, match=r'bed = .*: there is no finished bed'):
         impact(tmp_path, tmp_path / 'other')

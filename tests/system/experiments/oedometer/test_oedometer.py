@@ -7,18 +7,17 @@ import subprocess
 import sys
 
 import pytest
+from project import LIMIT, PROJECT
+from smalloedometer import SMALL
 from yade import O
 from yade.minieigenHP import Quaternion
 from yade.wrapper import BreakableMat, BreakageEngine, CurvatureMat
+
 import yade.superquadric as sq
 from yade.superquadric.experiments.oedometer import case, comparison, plots, report
+from yade.superquadric.experiments.oedometer.run import OedometerRun
 from yade.superquadric.files import results
 from yade.superquadric.scene.engines import engine, minHalfSize
-from yade.superquadric.experiments.oedometer.run import OedometerRun
-
-from smalloedometer import SMALL
-from project import LIMIT, PROJECT
-
 
 
 def run(folder, **changes):
@@ -226,10 +225,10 @@ def test_fragmentsOfHeavyFragmentsHaveTheirOwnMass():
     assert len(masses) == 4 and sum(masses) == pytest.approx(2500 * math.pi / 6 * 0.02 ** 3 / 4)
 
 
-BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('containerWidth', 0.03), ('container', 'bag'), ('shape', 'egg'), ('mode', 'balls5'),
-       ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0), ('smallestFragment', 0.015),
-       ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0), ('numericalDamping', 1), ('restitution', 0.05),
-       ('sampleStrain', math.nan), ('wheels', 4)]
+BAD = [('particles', 0), ('particles', 1.5), ('smallestDiameter', 0.05), ('containerWidth', 0.03), ('container', 'bag'), ('shape', 'egg'),
+       ('mode', 'balls5'), ('criterion', 'mood'), ('characteristicStrength', 0), ('weibullModulus', -1), ('inertialSize', 0),
+       ('smallestFragment', 0.015), ('maxStress', 1e2), ('maxStrain', 1), ('maxParticles', 20), ('strainRate', 0),
+       ('numericalDamping', 1), ('restitution', 0.05), ('sampleStrain', math.nan), ('wheels', 4)]
 
 
 @pytest.mark.parametrize('name, value', BAD)

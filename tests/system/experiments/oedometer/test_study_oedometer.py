@@ -12,13 +12,12 @@ import pytest
 import yade
 import yaml
 from matplotlib.image import imread
+from project import LIMIT, PROJECT
+from smalloedometer import SMALL
 
 from yade.superquadric.experiments.oedometer.study import OEDOMETERS
 from yade.superquadric.study.plan import planOf
 from yade.superquadric.study.studyfile import checkedStudy
-
-from smalloedometer import SMALL
-from project import LIMIT, PROJECT
 
 FIGURES = ('gradings', 'stresses', 'contacts')
 STUDY = {'experiment': 'oedometer', 'title': 'Few soft particles', 'base': SMALL, 'seeds': [1, 2], 'groups': {'modes': {

@@ -8,8 +8,8 @@ import yaml
 from project import PROJECT
 
 from yade.superquadric.experiments.impact.parameters import ImpactParameters
-from yade.superquadric.runs.parameters import BED
 from yade.superquadric.experiments.quantities import xAxisLabel
+from yade.superquadric.runs.parameters import BED
 from yade.superquadric.study import plan as plans
 from yade.superquadric.study import studyfile
 

@@ -4,7 +4,9 @@ import math
 
 import numpy as np
 import pytest
-from yade.superquadric.experiments.damper import energy as damperenergy, motion
+
+from yade.superquadric.experiments.damper import energy as damperenergy
+from yade.superquadric.experiments.damper import motion
 
 FREQUENCY, PERIODS, SAMPLES = 25.0, 24, 100
 TIMES = (0.3 + np.arange(PERIODS * SAMPLES)) / (FREQUENCY * SAMPLES)
