@@ -135,7 +135,10 @@ def testBodiesMadeInPythonMayBeErasedWhileTheSceneRuns(isSuperquadric):
     material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
     for i in range(64):
         place = 1.99 * HALF_SIZE * Vector3(i % 4, i // 4 % 4, i // 16)
-        body = sq.superquadric(place, (HALF_SIZE,) * 3, 4, 4, material=material) if isSuperquadric else utils.sphere(place, HALF_SIZE, material=material)
+        if isSuperquadric:
+            body = sq.superquadric(place, (HALF_SIZE,) * 3, 4, 4, material=material)
+        else:
+            body = utils.sphere(place, HALF_SIZE, material=material)
         O.bodies.append(body)
     O.engines = [*sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.2 * HALF_SIZE), PyRunner(command=ERASE_TWO, iterPeriod=1)]
     O.dt = 1e-7
