@@ -24,7 +24,11 @@ namespace fragments = superquadric::fragments;
 
 namespace {
 	// What the random numbers of a particle are for; each has numbers of its own.
-	enum Purpose { Strength, Cut, Turn };
+	enum Purpose {
+		Strength,
+		Cut,
+		Turn,
+	};
 
 	bool isOneOf(const std::string& value, std::initializer_list<const char*> choices)
 	{
@@ -249,8 +253,8 @@ void BreakageEngine::checkFragments(const BreakableMat& material, const superqua
 	smallest = std::max(smallest, inertialSize / 2);
 	const Real critical = material.criticalTimeStep(smallest);
 	if (scene->dt <= critical || scene->timeStepperActive()) return;
-	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest << " m (set smallestFragment or "
-		"inertialSize, or a shorter step)";
+	demand << "at most the critical time step " << critical << " s of a fragment with the half size " << smallest
+	       << " m (set smallestFragment or inertialSize, or a shorter step)";
 	refuse("O.dt", demand.str().c_str(), scene->dt);
 }
 

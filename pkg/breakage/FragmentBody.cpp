@@ -34,7 +34,7 @@ namespace {
 }
 
 shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, const fragments::Piece& piece, const Vector3r& offset, const Vector3r& spin,
-                            long step)
+        long step)
 {
 	const auto& parent = static_cast<const BreakableState&>(*old.state);
 	const superquadric::Shape part(whole.halfSizes().cwiseProduct(piece.scale), whole.n1(), whole.n2());

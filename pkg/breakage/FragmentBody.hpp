@@ -10,6 +10,6 @@ namespace yade {
 // A fragment of `old`, which has the shape `whole` and a BreakableState: of the same kind, material and look, born at `step` but not yet in the
 // scene. The offset from the parent's centre [m] and the spin [rad/s] are along the axes of space.
 shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, const superquadric::fragments::Piece& piece, const Vector3r& offset,
-                            const Vector3r& spin, long step);
+        const Vector3r& spin, long step);
 
 } // namespace yade

@@ -17,12 +17,12 @@ public:
 	void postLoad(CurvatureMat&);
 
 	// FrictMat's own attributes have no check behind them: Python sets them through this one.
-	template <class Base, Real Base::*attribute> static void setInherited(CurvatureMat& material, Real value)
+	template <class Base, Real Base::* attribute> static void setInherited(CurvatureMat& material, Real value)
 	{
 		material.*attribute = value;
 		material.callPostLoad();
 	}
-	template <class Base, Real Base::*attribute> static Real getInherited(const CurvatureMat& material) { return material.*attribute; }
+	template <class Base, Real Base::* attribute> static Real getInherited(const CurvatureMat& material) { return material.*attribute; }
 
 protected:
 	// Throws std::invalid_argument with name and value of what is wrong.

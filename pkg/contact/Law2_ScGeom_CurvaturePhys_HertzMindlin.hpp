@@ -23,7 +23,14 @@ private:
 		superquadric::hertzMindlin::TangentialForce tangential;
 		Vector3r couple;
 	};
-	enum Energy { Elastic, Friction, NormalViscous, TangentialViscous, Rolling, ModelError };
+	enum Energy {
+		Elastic,
+		Friction,
+		NormalViscous,
+		TangentialViscous,
+		Rolling,
+		ModelError,
+	};
 
 	Response response(const CurvaturePhys& phys, const ContactKinematics& bodies, Real rollingRadius) const;
 	void bookEnergy(const CurvaturePhys& before, const ContactKinematics& bodies, const Response& now, Real hertz);

@@ -34,7 +34,16 @@ private:
 		Real normalViscous;
 		SpringAndDashpot tangential, rolling;
 	};
-	enum Energy { Elastic, Plastic, NormalViscous, TangentialViscous, Friction, RollingViscous, RollingFriction, ModelError };
+	enum Energy {
+		Elastic,
+		Plastic,
+		NormalViscous,
+		TangentialViscous,
+		Friction,
+		RollingViscous,
+		RollingFriction,
+		ModelError,
+	};
 
 	Response response(const ElastoplasticPhys& phys, const ContactKinematics& bodies) const;
 	SpringAndDashpot tangential(const ElastoplasticPhys& phys, const ContactKinematics& bodies, const superquadric::elastoplastic::State& normal) const;

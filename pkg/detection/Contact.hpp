@@ -15,7 +15,12 @@
 
 namespace superquadric {
 
-enum class Status { Apart, Touching, Overlap, Uncertified };
+enum class Status {
+	Apart,
+	Touching,
+	Overlap,
+	Uncertified,
+};
 
 struct Contact {
 	Status status = Status::Uncertified;
@@ -34,7 +39,11 @@ struct Contact {
 
 // What a solver remembers of a pair from one step to the next.
 struct WarmStart {
-	enum Kind { None = 0, Point = 1, Direction = 2 };
+	enum Kind {
+		None = 0,
+		Point = 1,
+		Direction = 2,
+	};
 	int kind = None;
 	// The last point X0 from centre 1 [m], or the last separating direction [-]; in the frame of body 1, so that it moves with it.
 	Vector3 value = Vector3::Zero();

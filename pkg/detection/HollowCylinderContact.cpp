@@ -218,7 +218,7 @@ SUPERQUADRIC_FOR_EACH_PROCESSOR Contact contactHollowCylinder(
 	contact.lower = radius / search.bound();
 	contact.upper = radius / search.farthest();
 	contact.overlap = search.farthest() - radius;
-	contact.status = contact.overlap > 0 ? Status::Overlap : contact.overlap <= 0 ? Status::Apart : Status::Uncertified;
+	contact.status = contact.overlap > 0 ? Status::Overlap : (contact.overlap <= 0 ? Status::Apart : Status::Uncertified);
 	contact.surface1 = body.position + body.toWorld(search.point());
 	contact.surface2 = contact.surface1 - contact.overlap * contact.normal;
 	contact.point = contact.middle();

@@ -84,10 +84,10 @@ Shape::Shape(const Vector3& halfSizes, double n1, double n2)
 	const char* names[] = { "extents[0]", "extents[1]", "extents[2]" };
 	for (int axis = 0; axis < 3; ++axis)
 		requireWithin(tolerances::smallestHalfSize, tolerances::largestHalfSize, names[axis], halfSizes[axis]);
-	inverse_        = halfSizes.cwiseInverse();
-	smallest_       = halfSizes.minCoeff();
+	inverse_ = halfSizes.cwiseInverse();
+	smallest_ = halfSizes.minCoeff();
 	boundingRadius_ = farthestPoint(halfSizes, n1, n2);
-	fingerprint_    = long(fingerprintOf({ halfSizes.x(), halfSizes.y(), halfSizes.z(), n1, n2 }));
+	fingerprint_ = long(fingerprintOf({ halfSizes.x(), halfSizes.y(), halfSizes.z(), n1, n2 }));
 }
 
 double Shape::gauge(const Vector3& x) const

@@ -105,12 +105,12 @@ inline GaugeJet Shape::jetOfNestedNorms(const Vector3& unit, double scale) const
 	const double f = inner * side * side * sum + zLess1 * unit.z(), g = n1_.root(f), ratio = g / f;
 	const double outer = ratio / scale, mixed = outer * inner * (n1() - n2()) / sum, pure = outer * inner * (n2() - 1);
 	return { scale * g,
-		     ratio * Vector3(inner * side * xLess1, inner * side * yLess1, zLess1),
-		     mixed * xLess1 * xLess1 + pure * xLess2,
-		     mixed * xLess1 * yLess1,
-		     mixed * yLess1 * yLess1 + pure * yLess2,
-		     outer * (n1() - 1) * zLess2,
-		     (n1() - 1) / (scale * g) };
+		ratio * Vector3(inner * side * xLess1, inner * side * yLess1, zLess1),
+		mixed * xLess1 * xLess1 + pure * xLess2,
+		mixed * xLess1 * yLess1,
+		mixed * yLess1 * yLess1 + pure * yLess2,
+		outer * (n1() - 1) * zLess2,
+		(n1() - 1) / (scale * g) };
 }
 
 } // namespace superquadric

@@ -173,8 +173,7 @@ namespace {
 	{
 		if (points <= tolerances::tessellationPoints) return;
 		std::ostringstream message;
-		message << "error must be larger: " << error << " m takes " << points << " points, of which " << tolerances::tessellationPoints <<
-			" are allowed";
+		message << "error must be larger: " << error << " m takes " << points << " points, of which " << tolerances::tessellationPoints << " are allowed";
 		throw std::invalid_argument(message.str());
 	}
 
@@ -221,7 +220,7 @@ namespace {
 	void addTriangles(Tessellation& result, int rings, int columns)
 	{
 		const int south = int(result.points.size()) - 1;
-		const auto index = [&](int ring, int column) { return ring == 0 ? 0 : ring == rings ? south : 1 + (ring - 1) * columns + column % columns; };
+		const auto index = [&](int ring, int column) { return ring == 0 ? 0 : (ring == rings ? south : 1 + (ring - 1) * columns + column % columns); };
 		for (int ring = 0; ring < rings; ++ring)
 			for (int column = 0; column < columns; ++column) {
 				const int upper = index(ring, column), upperNext = index(ring, column + 1);

@@ -44,8 +44,8 @@ void PairTable::rebuild(InteractionContainer& interactions, const BodyTable& bod
 		const Body::id_t id1 = interaction->getId1(), id2 = interaction->getId2();
 		const bool superquadrics = bodies.isSuperquadric(id1) && bodies.isSuperquadric(id2), spheres = bodies.isSphere(id1) && bodies.isSphere(id2);
 		fresh.push_back({ id1, id2, superquadrics, spheres, interaction->isReal(), /*ownsMemory*/ false,
-		                  interaction->functorCache.constLaw.get(), /*apartUntil*/ -1,
-		                  memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
+		        interaction->functorCache.constLaw.get(), /*apartUntil*/ -1,
+		        memoryOf(*interaction), interaction.get(), &interaction, interaction->geom.get(), interaction->phys.get() });
 	}
 	const auto earlier = [](const Row& a, const Row& b) { return orderOf(a) < orderOf(b); };
 	std::sort(fresh.begin(), fresh.end(), earlier);

@@ -134,7 +134,7 @@ void SuperquadricInteractionLoop::keepTouching(const PairTable::Row& row, const 
 	const BodyTable::Row &row1 = bodies[row.id1], &row2 = bodies[row.id2];
 	auto& geom = static_cast<SuperquadricGeom&>(*row.interaction->geom);
 	geom.touch(contact, sideOf(*row1.placement, contact.surface1, contact.normal, contact.curvature1),
-	           sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2), geom.normal, *row1.motion, *row2.motion, scene->dt);
+	        sideOf(*row2.placement, contact.surface2, contact.normal, contact.curvature2), geom.normal, *row1.motion, *row2.motion, scene->dt);
 	pairLaw->act(geom, *row.interaction->phys, *row1.motion, *row2.motion);
 }
 

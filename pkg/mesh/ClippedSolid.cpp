@@ -52,7 +52,7 @@ void ClippedSolid::clipPolygon(std::size_t begin, std::size_t end)
 		if (here) keptCorners_.push_back(corners_[i]);
 		if (here == there) continue;
 		const Vector3 x = here ? crossing(corners_[i], outside_[i], corners_[next], outside_[next])
-			               : crossing(corners_[next], outside_[next], corners_[i], outside_[i]);
+		                       : crossing(corners_[next], outside_[next], corners_[i], outside_[i]);
 		keptCorners_.push_back(x);
 		if (here) left = x;
 		else if (left) cuts_.push_back({ *left, x });

@@ -22,7 +22,10 @@ namespace {
 		std::size_t number = 0;
 		std::vector<Vector3> where;
 
-		explicit Defect(const char* what) : what(what) { }
+		explicit Defect(const char* what)
+		        : what(what)
+		{
+		}
 		void add(const std::vector<Vector3>& place)
 		{
 			if (number++ == 0) where = place;
@@ -31,7 +34,10 @@ namespace {
 
 	class Findings {
 	public:
-		explicit Findings(const std::string& name) : name_(name) { }
+		explicit Findings(const std::string& name)
+		        : name_(name)
+		{
+		}
 		void note(const Defect& defect)
 		{
 			if (defect.number == 0) return;
@@ -91,7 +97,7 @@ namespace {
 				++(from < to ? use.forth : use.back);
 			}
 		Defect open { "edges with one triangle only (the surface is not closed)" }, crowded { "edges shared by more than two triangles" },
-			turned { "edges whose two triangles face opposite ways" };
+		        turned { "edges whose two triangles face opposite ways" };
 		for (const auto& [ends, use] : edges) {
 			const std::vector<Vector3> place { mesh.points[std::size_t(ends[0])], mesh.points[std::size_t(ends[1])] };
 			if (use.forth + use.back > 2) crowded.add(place);

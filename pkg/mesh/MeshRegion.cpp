@@ -89,7 +89,7 @@ namespace {
 		if (triangles.size() <= few || std::max(below.size(), above.size()) == triangles.size()) {
 			ClippedSolid work = solid;
 			return std::accumulate(triangles.begin(), triangles.end(), 0.0,
-			                       [&](double sum, const Triangle& triangle) { return sum + volumeBefore(triangle, u, solid, work); });
+			        [&](double sum, const Triangle& triangle) { return sum + volumeBefore(triangle, u, solid, work); });
 		}
 		ClippedSolid lower = solid, upper = solid;
 		lower.clip({ Vector3::Unit(axis), at });

@@ -11,7 +11,11 @@ namespace superquadric {
 
 class Region {
 public:
-	enum class Holds { nothing, all, part };
+	enum class Holds {
+		nothing,
+		all,
+		part,
+	};
 
 	virtual ~Region() = default;
 
@@ -25,7 +29,10 @@ public:
 // What half spaces have in common: a box, a prism, a slab.
 class ConvexRegion : public Region {
 public:
-	explicit ConvexRegion(std::vector<HalfSpace> halfSpaces) : halfSpaces_(std::move(halfSpaces)) { }
+	explicit ConvexRegion(std::vector<HalfSpace> halfSpaces)
+	        : halfSpaces_(std::move(halfSpaces))
+	{
+	}
 	Holds holds(const Placement& body) const override;
 	double volumeWithin(const ClippedSolid& solid, const Placement& body) const override { return partWithin(solid, body).volume(); }
 	ClippedSolid partWithin(const ClippedSolid& solid, const Placement& body) const;
@@ -54,7 +61,11 @@ private:
 // What a closed surface encloses, between planes: a hopper up to the level of its filling.
 class CutMeshRegion : public Region {
 public:
-	CutMeshRegion(const MeshRegion& mesh, const ConvexRegion& planes) : mesh_(mesh), planes_(planes) { }
+	CutMeshRegion(const MeshRegion& mesh, const ConvexRegion& planes)
+	        : mesh_(mesh)
+	        , planes_(planes)
+	{
+	}
 	Holds holds(const Placement& body) const override
 	{
 		const Holds planes = planes_.holds(body);

@@ -13,7 +13,10 @@ namespace {
 	// Beds have many bodies of few shapes.
 	class Tessellations {
 	public:
-		explicit Tessellations(double accuracy) : accuracy_(accuracy) { }
+		explicit Tessellations(double accuracy)
+		        : accuracy_(accuracy)
+		{
+		}
 		const Tessellation& of(const Shape& shape)
 		{
 			auto& alike = found_[shape.fingerprint()];

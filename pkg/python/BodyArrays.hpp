@@ -9,7 +9,13 @@ namespace yade {
 
 // Each row stands again as a dtype in py/measure/bodyarrays.py; a vector is x, y, z, a tensor its rows, a quaternion x, y, z, w.
 namespace rows {
-	enum Kind : std::int64_t { SphereKind, SuperquadricKind, WallKind, CylinderKind, FacetKind };
+	enum Kind : std::int64_t {
+		SphereKind,
+		SuperquadricKind,
+		WallKind,
+		CylinderKind,
+		FacetKind,
+	};
 
 	struct Particle {
 		std::int64_t id, kind, material, contacts;

@@ -101,7 +101,7 @@ object MeshFunctions::volumesInHalfSpaces(const object& particles, Real accuracy
 }
 
 object MeshFunctions::volumesInMesh(const object& particles, Real accuracy, const object& points, const object& triangles, const std::string& name,
-	                                const object& halfSpaces)
+        const object& halfSpaces)
 {
 	const superquadric::MeshRegion mesh(meshOf(points, triangles), name);
 	const superquadric::ConvexRegion planes(halfSpacesOf(halfSpaces));

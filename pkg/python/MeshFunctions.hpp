@@ -11,11 +11,11 @@ public:
 	static std::string check(const boost::python::object& points, const boost::python::object& triangles, const std::string& name, bool closed);
 	static Real volume(const boost::python::object& points, const boost::python::object& triangles, const boost::python::object& halfSpaces);
 	static boost::python::object contained(const boost::python::object& points, const boost::python::object& triangles, const std::string& name,
-	                                       const boost::python::object& questions);
+	        const boost::python::object& questions);
 	static boost::python::object volumesInHalfSpaces(const boost::python::object& particles, Real accuracy, const boost::python::object& halfSpaces);
 	static boost::python::object volumesInMesh(const boost::python::object& particles, Real accuracy, const boost::python::object& points,
-	                                           const boost::python::object& triangles, const std::string& name,
-	                                           const boost::python::object& halfSpaces);
+	        const boost::python::object& triangles, const std::string& name,
+	        const boost::python::object& halfSpaces);
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(MeshFunctions, Serializable,

@@ -41,7 +41,10 @@ namespace {
 	// Vertices in cells so small that a cell and those around it hold one vertex of the mesh.
 	class VertexCells {
 	public:
-		explicit VertexCells(Real size) : size_(size) { }
+		explicit VertexCells(Real size)
+		        : size_(size)
+		{
+		}
 		void add(const Vector3r& vertex, size_t facet) { cells_[cellOf(vertex)].push_back(facet); }
 		template <class Visit> void around(const Vector3r& vertex, const Visit& visit) const
 		{

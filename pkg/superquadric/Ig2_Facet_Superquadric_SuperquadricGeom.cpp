@@ -24,7 +24,7 @@ bool Ig2_Facet_Superquadric_SuperquadricGeom::solve(const Shape& shape1, const S
 }
 
 bool Ig2_Facet_Superquadric_SuperquadricGeom::pushes(const superquadric::Placement& body, const superquadric::MeshFacet& facet,
-	                                                 const superquadric::Contact& contact, const Scene& scene, superquadric::SolverCounters& counters)
+        const superquadric::Contact& contact, const Scene& scene, superquadric::SolverCounters& counters)
 {
 	if (superquadric::farFromBorder(body, facet, contact.point)) return true;
 	neighbours.find(scene);

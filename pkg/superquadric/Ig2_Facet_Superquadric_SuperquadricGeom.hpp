@@ -32,7 +32,7 @@ protected:
 
 private:
 	bool pushes(const superquadric::Placement& body, const superquadric::MeshFacet& facet, const superquadric::Contact& contact, const Scene& scene,
-	            superquadric::SolverCounters& counters);
+	        superquadric::SolverCounters& counters);
 
 	FacetNeighbours neighbours;
 };

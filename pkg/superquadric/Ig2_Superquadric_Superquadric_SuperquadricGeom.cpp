@@ -29,11 +29,11 @@ superquadric::Contact Ig2_Superquadric_Superquadric_SuperquadricGeom::solveAt(
 }
 
 bool Ig2_Superquadric_Superquadric_SuperquadricGeom::describe(const superquadric::Contact& contact, const superquadric::Placement& body1,
-                                                              const superquadric::Placement& body2, const ContactPair& pair, const superquadric::WarmStart& warm)
+        const superquadric::Placement& body2, const ContactPair& pair, const superquadric::WarmStart& warm)
 {
 	if (!touches(contact)) return pair.part(contact, warm);
 	return pair.touch(contact, sideOf(body1, contact.surface1, contact.normal, contact.curvature1),
-	                  sideOf(body2, contact.surface2, contact.normal, contact.curvature2), warm);
+	        sideOf(body2, contact.surface2, contact.normal, contact.curvature2), warm);
 }
 
 } // namespace yade

@@ -11,7 +11,7 @@ public:
 	// The functor's work in two parts, for a loop that has the placements at hand: what the solver says, and what the interaction gets.
 	superquadric::Contact solveAt(const superquadric::Placement& body1, const superquadric::Placement& body2, superquadric::WarmStart& warm);
 	static bool describe(const superquadric::Contact& contact, const superquadric::Placement& body1, const superquadric::Placement& body2,
-	                     const ContactPair& pair, const superquadric::WarmStart& warm);
+	        const ContactPair& pair, const superquadric::WarmStart& warm);
 	// Pairs that a loop knew to be apart without asking.
 	void countStillApart(unsigned long pairs) { solverCounters.ofThisThread().stillApart += pairs; }
 

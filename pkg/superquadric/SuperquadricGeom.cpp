@@ -5,7 +5,7 @@ namespace yade {
 YADE_PLUGIN((SuperquadricGeom));
 
 void SuperquadricGeom::touch(const superquadric::Contact& contact, const Side& side1, const Side& side2, const Vector3r& normalBefore,
-                             const Motion& motion1, const Motion& motion2, Real dt)
+        const Motion& motion1, const Motion& motion2, Real dt)
 {
 	touching = true;
 	curvature1 = side1.curvature;
@@ -34,7 +34,7 @@ void SuperquadricGeom::part(const superquadric::Contact& contact)
 boost::python::tuple SuperquadricGeom::warmStartAsTuple() const
 {
 	using superquadric::WarmStart;
-	return boost::python::make_tuple(warm.kind == WarmStart::Point ? "point" : warm.kind == WarmStart::Direction ? "direction" : "none", warm.value);
+	return boost::python::make_tuple(warm.kind == WarmStart::Point ? "point" : (warm.kind == WarmStart::Direction ? "direction" : "none"), warm.value);
 }
 
 } // namespace yade

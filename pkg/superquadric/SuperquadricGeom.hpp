@@ -43,7 +43,7 @@ public:
 
 	// The bodies touch, as the solver says. `normalBefore` is the normal of the step before, that of now in a new contact.
 	void touch(const superquadric::Contact& contact, const Side& side1, const Side& side2, const Vector3r& normalBefore, const Motion& motion1,
-	           const Motion& motion2, Real dt);
+	        const Motion& motion2, Real dt);
 	// A vector that lies in the contact plane, turned with the contact to first order, as ScGeom::rotate does it.
 	Vector3r turned(const Vector3r& vector) const
 	{

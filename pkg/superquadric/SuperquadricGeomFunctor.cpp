@@ -16,7 +16,7 @@ SuperquadricGeom& ContactPair::geom() const
 }
 
 bool ContactPair::touch(const superquadric::Contact& contact, const SuperquadricGeom::Side& side1, const SuperquadricGeom::Side& side2,
-                        const superquadric::WarmStart& warm) const
+        const superquadric::WarmStart& warm) const
 {
 	// A parked geom has no history of shear: without phys the contact is new.
 	const bool isNew = !interaction->isReal();

@@ -25,7 +25,7 @@ struct ContactPair {
 
 	// Both take the solver's answer, `touch` that of bodies that touch, `part` any other, and give what the functor returns.
 	bool touch(const superquadric::Contact& contact, const SuperquadricGeom::Side& side1, const SuperquadricGeom::Side& side2,
-	           const superquadric::WarmStart& warm = {}) const;
+	        const superquadric::WarmStart& warm = {}) const;
 	bool part(const superquadric::Contact& contact, const superquadric::WarmStart& warm = {}) const;
 
 private:
@@ -48,7 +48,7 @@ public:
 	}
 	// The shapes come in the other order: name the bodies the other way round, then all is as above.
 	bool goReverse(const shared_ptr<Shape>& shape1, const shared_ptr<Shape>& shape2, const State& state1, const State& state2,
-	               const Vector3r& shift2, const bool& force, const shared_ptr<Interaction>& interaction) override
+	        const Vector3r& shift2, const bool& force, const shared_ptr<Interaction>& interaction) override
 	{
 		interaction->swapOrder();
 		return go(shape2, shape1, state2, state1, -shift2, force, interaction); // NOLINT(readability-suspicious-call-argument)

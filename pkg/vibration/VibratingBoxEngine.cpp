@@ -78,8 +78,8 @@ void VibratingBoxEngine::requireFiniteStep(const Load& now, const Vector3r& next
 	if (membersStay && (contactImpulse + impulse).allFinite() && next.allFinite() && (displacement + way).allFinite()) return;
 	std::ostringstream message;
 	message << "VibratingBoxEngine: the box would get the velocity " << next.transpose() << " m/s at displacement " << displacement.transpose()
-		<< " m, from forces on its members of " << now.contacts.transpose() << " N and a drive of " << now.drive.transpose() << " N; is O.dt = "
-		<< scene->dt << " s too long?";
+	        << " m, from forces on its members of " << now.contacts.transpose() << " N and a drive of " << now.drive.transpose() << " N; is O.dt = "
+	        << scene->dt << " s too long?";
 	throw std::invalid_argument(message.str());
 }
 

@@ -15,14 +15,17 @@ public:
 	void postLoad(VibratingBoxEngine&);
 
 	// By value and through the check: a reference would let `box.stiffness[2] = -1` pass.
-	template <Vector3r VibratingBoxEngine::*attribute>
+	template <Vector3r VibratingBoxEngine::* attribute>
 	static void setVector(VibratingBoxEngine& box, const Vector3r& value)
 	{
 		box.*attribute = value;
 		box.callPostLoad();
 	}
-	template <Vector3r VibratingBoxEngine::*attribute>
-	static Vector3r getVector(const VibratingBoxEngine& box) { return box.*attribute; }
+	template <Vector3r VibratingBoxEngine::* attribute>
+	static Vector3r getVector(const VibratingBoxEngine& box)
+	{
+		return box.*attribute;
+	}
 
 private:
 	// What acts on the box at a step, beside its springs.

@@ -7,7 +7,7 @@ namespace yade {
 YADE_PLUGIN((Gl1_HollowCylinder));
 
 bool Gl1_HollowCylinder::wire;
-int  Gl1_HollowCylinder::div;
+int Gl1_HollowCylinder::div;
 
 namespace {
 

@@ -18,7 +18,10 @@ struct BedReplay {
 	// reach the solver and are left out.
 	std::vector<std::pair<int, int>> touching, apart;
 
-	explicit BedReplay(const Shape& shape) : shape(shape) { }
+	explicit BedReplay(const Shape& shape)
+	        : shape(shape)
+	{
+	}
 };
 
 // Throws std::runtime_error naming the file if it cannot be read.

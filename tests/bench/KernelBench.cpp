@@ -25,13 +25,20 @@ namespace {
 	constexpr int pairCount = 512;
 	constexpr std::uint64_t seed = 1;
 
-	enum class Kind { Warm, Rejected, Cold };
+	enum class Kind {
+		Warm,
+		Rejected,
+		Cold,
+	};
 	constexpr std::pair<Kind, const char*> kinds[] = { { Kind::Warm, "warm" }, { Kind::Rejected, "rejected" }, { Kind::Cold, "cold" } };
 
 	// A shape with its pairs, which are made when first needed: not at all for benchmarks that a filter leaves out.
 	class Case {
 	public:
-		explicit Case(const Shape& shape) : shape_(shape) { }
+		explicit Case(const Shape& shape)
+		        : shape_(shape)
+		{
+		}
 
 		const std::vector<MovingPair>& pairs(bool touching)
 		{

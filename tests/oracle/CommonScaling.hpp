@@ -31,7 +31,11 @@ public:
 	using Vector = Eigen::Matrix<Number, 3, 1>;
 
 	// The rounding of the doubles that place the bodies, which the oracle takes as exact, is the caller's.
-	CommonScaling(const Placement& body1, const Placement& body2) : bodies_ { Body(body1), Body(body2) }, between_((body2.position - body1.position).cast<Number>()) { }
+	CommonScaling(const Placement& body1, const Placement& body2)
+	        : bodies_ { Body(body1), Body(body2) }
+	        , between_((body2.position - body1.position).cast<Number>())
+	{
+	}
 
 	ScalingInterval solve()
 	{
@@ -73,7 +77,13 @@ private:
 	static constexpr Number narrow = 32 * std::numeric_limits<Number>::epsilon();
 
 	struct Body {
-		explicit Body(const Placement& body) : sizes(body.shape.halfSizes().cast<Number>()), n1(body.shape.n1()), n2(body.shape.n2()), rotation(body.rotation.cast<Number>()) { }
+		explicit Body(const Placement& body)
+		        : sizes(body.shape.halfSizes().cast<Number>())
+		        , n1(body.shape.n1())
+		        , n2(body.shape.n2())
+		        , rotation(body.rotation.cast<Number>())
+		{
+		}
 		Vector sizes;
 		Number n1, n2;
 		Eigen::Matrix<Number, 3, 3> rotation;

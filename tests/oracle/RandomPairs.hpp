@@ -13,7 +13,8 @@ inline Matrix3 turn(double angle, const Vector3& axis) { return Eigen::AngleAxis
 class RandomPair {
 public:
 	// The larger body is of unit order.
-	RandomPair(std::uint64_t seed, std::uint64_t number) : random(mixed(seed, number))
+	RandomPair(std::uint64_t seed, std::uint64_t number)
+	        : random(mixed(seed, number))
 	{
 		sizes1 = random.halfSizes();
 		sizes2 = random.halfSizes(random.logarithmic(0.01, 1));
@@ -33,7 +34,11 @@ public:
 	// Of given exponents, aspects to 3 and size ratios to 5, at random or with faces, edges or corners on each other, half of these all but
 	// exactly. Where they are is left open.
 	RandomPair(std::uint64_t seed, std::uint64_t number, const std::array<double, 2>& exponents1, const std::array<double, 2>& exponents2, bool aligned)
-	        : random(mixed(seed, number)), n11(exponents1[0]), n12(exponents1[1]), n21(exponents2[0]), n22(exponents2[1])
+	        : random(mixed(seed, number))
+	        , n11(exponents1[0])
+	        , n12(exponents1[1])
+	        , n21(exponents2[0])
+	        , n22(exponents2[1])
 	{
 		for (Vector3* sizes : { &sizes1, &sizes2 })
 			for (double& size : *sizes)

@@ -26,8 +26,12 @@ struct ReferenceGauge {
 class ReferenceBody {
 public:
 	ReferenceBody(const Placement& body, const Vector3& origin, Real unit)
-	        : sizes_(body.shape.halfSizes().cast<Real>() / unit), n1_(body.shape.n1()), n2_(body.shape.n2()), rotation_(body.rotation.cast<Real>())
-	        , centre_((body.position - origin).cast<Real>() / unit), stretch_(rotation_ * sizes_.cwiseAbs2().cwiseInverse().asDiagonal() * rotation_.transpose())
+	        : sizes_(body.shape.halfSizes().cast<Real>() / unit)
+	        , n1_(body.shape.n1())
+	        , n2_(body.shape.n2())
+	        , rotation_(body.rotation.cast<Real>())
+	        , centre_((body.position - origin).cast<Real>() / unit)
+	        , stretch_(rotation_ * sizes_.cwiseAbs2().cwiseInverse().asDiagonal() * rotation_.transpose())
 	{
 	}
 
@@ -104,7 +108,9 @@ public:
 	static constexpr Real centring = 2;
 
 	ContactCentre(const Placement& body1, const Placement& body2)
-	        : unit_(std::min(body1.shape.smallestHalfSize(), body2.shape.smallestHalfSize())), one_(body1, body1.position, unit_), two_(body2, body1.position, unit_)
+	        : unit_(std::min(body1.shape.smallestHalfSize(), body2.shape.smallestHalfSize()))
+	        , one_(body1, body1.position, unit_)
+	        , two_(body2, body1.position, unit_)
 	        , stretch_(one_.distanceHessian() + two_.distanceHessian())
 	{
 	}
@@ -117,7 +123,7 @@ public:
 		const Real out1 = one_.distanceToSurface(x_, normal), out2 = two_.distanceToSurface(x_, -normal);
 		const RealVector surface1 = x_ + out1 * normal, surface2 = x_ - out2 * normal;
 		return { unit_ * x_, normal, unit_ * surface1, unit_ * surface2, unit_ * (out1 + out2),
-			     one_.meanCurvature(surface1) / unit_, two_.meanCurvature(surface2) / unit_, 2 * residual / centring };
+			one_.meanCurvature(surface1) / unit_, two_.meanCurvature(surface2) / unit_, 2 * residual / centring };
 	}
 
 	// F, infinite where the point is not within both bodies; x from the centre of body 1 [m].

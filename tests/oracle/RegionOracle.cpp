@@ -36,7 +36,7 @@ struct Bed {
 			shapes.push_back(random.shape(0.25));
 		for (int i = 0; i < number; ++i)
 			bodies.emplace_back(shapes[std::size_t(i % 5)],
-			                    1.2 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)), random.rotation());
+			        1.2 * Vector3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1)), random.rotation());
 	}
 };
 
@@ -103,7 +103,7 @@ Surface surfaceOf(const std::vector<Vector3>& points, const std::vector<std::arr
 TEST(RegionOracle, HalfSpacesAgainstMonteCarlo)
 {
 	std::vector<HalfSpace> halfSpaces { { Vector3(1, 1, 0).normalized(), 0.5 },
-		                                { Vector3(-1, 0.5, 0.2).normalized(), 0.6 }, { Vector3(0, -1, 1).normalized(), 0.4 }, { -Vector3::UnitZ(), 0.7 } };
+		{ Vector3(-1, 0.5, 0.2).normalized(), 0.6 }, { Vector3(0, -1, 1).normalized(), 0.4 }, { -Vector3::UnitZ(), 0.7 } };
 	expectWithinMonteCarlo(ConvexRegion(halfSpaces), [&](const Vector3& x) {
 		return std::all_of(halfSpaces.begin(), halfSpaces.end(), [&](const HalfSpace& h) { return h.outside(x) <= 0; });
 	});

@@ -13,7 +13,10 @@ constexpr double pi = 3.14159265358979323846;
 
 class RandomBodies {
 public:
-	explicit RandomBodies(std::uint64_t seed) : engine_(seed) { }
+	explicit RandomBodies(std::uint64_t seed)
+	        : engine_(seed)
+	{
+	}
 
 	double uniform(double low = 0, double high = 1) { return low + (high - low) * std::ldexp(double(engine_() >> 11), -53); }
 	double logarithmic(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }

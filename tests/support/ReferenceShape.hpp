@@ -35,7 +35,12 @@ template <class Function> Real largestAt(const Function& function, Real low, Rea
 
 class ReferenceShape {
 public:
-	explicit ReferenceShape(const Shape& shape) : sizes(shape.halfSizes().cast<Real>()), n1(shape.n1()), n2(shape.n2()) { }
+	explicit ReferenceShape(const Shape& shape)
+	        : sizes(shape.halfSizes().cast<Real>())
+	        , n1(shape.n1())
+	        , n2(shape.n2())
+	{
+	}
 
 	const RealVector sizes;
 	const Real n1, n2;
@@ -68,8 +73,8 @@ public:
 	{
 		const Real side = signedPower(std::cos(eta), 2 / n1);
 		return { sizes[0] * side * signedPower(std::cos(omega), 2 / n2),
-			     sizes[1] * side * signedPower(std::sin(omega), 2 / n2),
-			     sizes[2] * signedPower(std::sin(eta), 2 / n1) };
+			sizes[1] * side * signedPower(std::sin(omega), 2 / n2),
+			sizes[2] * signedPower(std::sin(eta), 2 / n1) };
 	}
 
 	// The surface point where a weighted sum of the |coordinates|^power is largest, searched over the two angles of the octant. Along

@@ -51,7 +51,11 @@ Mesh neighboursOf(const Mesh& mesh, const MeshFacet& facet)
 // The contacts that push, each facet with a memory of its own.
 class Pushed {
 public:
-	explicit Pushed(Mesh mesh) : mesh_(std::move(mesh)), warm_(mesh_.size()) { }
+	explicit Pushed(Mesh mesh)
+	        : mesh_(std::move(mesh))
+	        , warm_(mesh_.size())
+	{
+	}
 
 	std::vector<Contact> by(const Placement& body)
 	{

@@ -220,7 +220,7 @@ TEST(HollowCylinderContact, WarmAndColdAgree)
 	SolverCounters counters;
 	int overlaps = 0;
 	for (int i = 0; i < 300; ++i) {
-		const double scale = i % 4 == 3 ? 1e-6 : i % 4 == 2 ? 10 : 1;
+		const double scale = i % 4 == 3 ? 1e-6 : (i % 4 == 2 ? 10 : 1);
 		const Shape shape = random.shape(scale * random.logarithmic(0.02, 0.5));
 		const Vector3 axis = random.direction(), outwards = axis.unitOrthogonal();
 		const Matrix3 turn = Eigen::AngleAxisd(random.logarithmic(1e-8, 1e-2), random.direction()).toRotationMatrix();

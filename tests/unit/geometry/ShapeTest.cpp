@@ -222,7 +222,7 @@ TEST(Shape, SizesFromMicrometresToMetres)
 			EXPECT_NEAR(scaled.support(direction), size * shape.support(direction), 1e-14 * size * shape.support(direction));
 			EXPECT_NEAR(scaled.boundingRadius(), size * shape.boundingRadius(), 1e-14 * scaled.boundingRadius());
 			EXPECT_LT((size * scaled.gaugeWithGradient(size * x).gradient - shape.gaugeWithGradient(x).gradient).norm(),
-			          1e-13 * shape.gaugeWithGradient(x).gradient.norm());
+			        1e-13 * shape.gaugeWithGradient(x).gradient.norm());
 		}
 }
 

@@ -21,7 +21,7 @@ std::string refusalOf(const Material& material)
 	return "";
 }
 
-Material changed(double Hardening::*member, double value)
+Material changed(double Hardening::* member, double value)
 {
 	Material material = aluminium.material;
 	material.hardening.*member = value;

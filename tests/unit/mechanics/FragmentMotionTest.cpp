@@ -30,7 +30,7 @@ Case randomCase(RandomBodies& random, int serial)
 	const Shape shape = kind == 3 ? random.shape(0.01) : ball;
 	CounterRandom own(1, serial, 0);
 	const Vector3 cut = *drawCut(own, 1 + random.index(3));
-	const Pieces pieces = kind == 3 ? blocks(cut) : kind == 2 ? eighteenBalls() : kind == 1 ? fourBalls() : ballsOfBlocks(cut);
+	const Pieces pieces = kind == 3 ? blocks(cut) : (kind == 2 ? eighteenBalls() : (kind == 1 ? fourBalls() : ballsOfBlocks(cut)));
 	const Vector3 spin = random.index(4) ? Vector3(random.direction() * random.logarithmic(1e-3, 1e3)) : Vector3(Vector3::Zero());
 	const double deepest = random.index(2) ? random.uniform(0, 0.05) * shape.smallestHalfSize() : 0;
 	const double mass = random.logarithmic(1e-6, 1);

@@ -36,7 +36,7 @@ struct Bodies {
 			shapes.push_back(random.shape(0.3));
 		for (int i = 0; i < number; ++i)
 			placed.emplace_back(shapes[std::size_t(i % 10)],
-			                    Vector3(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)), random.rotation());
+			        Vector3(random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5), random.uniform(-1.5, 1.5)), random.rotation());
 	}
 };
 
