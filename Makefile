@@ -1,5 +1,5 @@
 # The commands of the project. Each sets up and builds first whatever it needs (see tools/env --help).
-.PHONY: help demo study study-quick test test-fast test-yades lint tidy ci fuzz sanitize bench bench-quick bench-scaling docs deb deb-test build shell clean
+.PHONY: help demo study study-quick test test-fast test-yades test-own-yade lint tidy ci fuzz sanitize bench bench-quick bench-scaling docs deb deb-test build shell clean
 
 # The demonstration's arguments, here and nowhere else (its defaults are the paper's). One that was stopped is taken up again.
 demoArguments = --output demo
@@ -11,6 +11,7 @@ help:
 	@echo 'make test    all tests; the last line counts them'
 	@echo 'make test-fast   the tests that take seconds: the C++ unit tests, and what of Python needs no YADE'
 	@echo 'make test-yades  all tests on YADE 2025.2 (Debian trixie) and on YADE 2026.1 (Debian forky)'
+	@echo 'make test-own-yade   the plugin for a YADE that was built from source, for which the installed one is disguised (5 minutes)'
 	@echo 'make lint    ruff, mypy, clang-format, shellcheck, clang-tidy; make ci: what the continuous integration runs, lint and test'
 	@echo 'make fuzz    many more examples of the fuzz tests: FUZZ_EXAMPLES=2000 for each (20 minutes)'
 	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour (see docs/testing.md)'
@@ -48,8 +49,7 @@ test-fast:
 
 # The checkers are those of Debian 13 wherever they are started, so that they judge alike.
 lint:
-	@tools/ruff check
-	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/lint
+	@tools/ruff check; ruff=$$?; YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/lint && exit $$ruff
 
 tidy:
 	@YADE_SUITE=trixie tools/env $(testPackages) --with lint --only build.ninja tests/tidy
@@ -61,6 +61,10 @@ ci: lint test
 test-yades:
 	@failed=; for suite in trixie forky; do echo "YADE of Debian $$suite"; YADE_SUITE=$$suite $(MAKE) --no-print-directory test || failed="$$failed $$suite"; done; \
 	  [ -z "$$failed" ] || { echo "failed on$$failed"; exit 1; }
+
+# The installed YADE disguised as one that was built from source; the plugin is built for it (5 minutes).
+test-own-yade:
+	@tools/env yade -n -x tests/run_pytest.py tests/package/own_yade.py -q -p no:cacheprovider
 
 fuzz: export FUZZ_EXAMPLES ?= 2000
 fuzz: export TEST_TIME_LIMIT = 86400

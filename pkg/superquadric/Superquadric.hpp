@@ -24,6 +24,8 @@ public:
 	void postLoad(Superquadric&);
 
 	Real volume() const;
+	// The virtual function that every shape has since YADE 2026.1, so not const; the level sets of YADE ask for it.
+	Real getVolume() { return volume(); } // NOLINT(readability-make-member-function-const)
 	Vector3r inertia(Real density) const;
 	Real function(const Vector3r& point) const;
 	Real gauge(const Vector3r& point) const;
@@ -57,6 +59,7 @@ private:
 		.add_property("extents", &Superquadric::getExtents, &Superquadric::setExtents,
 			"Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. Assign all three: reading gives a copy.")
 		.def("volume", &Superquadric::volume, "Volume [m^3], in closed form.")
+		.def("getVolume", &Superquadric::getVolume, "The same, under the name that it has for YADE's own shapes since YADE 2026.1.")
 		.def("inertia", &Superquadric::inertia, (boost::python::arg("density")),
 			"Principal moments of inertia (Ixx, Iyy, Izz) about the centre for a density in [kg/m^3]; Vector3 [kg m^2], in closed form.")
 		.def("function", &Superquadric::function, (boost::python::arg("point")), "f of eq. (1) at a point [m]: below 1 inside, 1 on the surface.")

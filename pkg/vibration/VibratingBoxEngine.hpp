@@ -22,10 +22,7 @@ public:
 		box.callPostLoad();
 	}
 	template <Vector3r VibratingBoxEngine::* attribute>
-	static Vector3r getVector(const VibratingBoxEngine& box)
-	{
-		return box.*attribute;
-	}
+	static Vector3r getVector(const VibratingBoxEngine& box) { return box.*attribute; }
 
 private:
 	// What acts on the box at a step, beside its springs.

@@ -30,8 +30,6 @@ class Material(Parameters):
 
     def check(self) -> None:
         super().check()
-        if self.restitution is None and self.normalDamping is None:
-            raise ValueError('restitution = None: must be given, or else normalDamping')
         if self.restitution is not None and self.normalDamping is not None:
             raise ValueError(f'normalDamping = {self.normalDamping!r}: follows from restitution = {self.restitution!r}; only one can be given')
         self.normalDampingCoefficient()
@@ -40,6 +38,8 @@ class Material(Parameters):
         """Cn [-], as given or as it follows from the restitution."""
         if self.normalDamping is not None:
             return self.normalDamping
+        if self.restitution is None:
+            raise ValueError('restitution = None: must be given, or else normalDamping')
         return normalDampingFor(self.restitution)
 
     def attributes(self) -> dict[str, float]:

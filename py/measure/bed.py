@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -54,7 +54,7 @@ def _fill(filled: Bools, centers: Sequence[Floats], origin: Floats, voxel: float
     filled[box] |= gauge(local, snapshot.extents[i], snapshot.exponents[i]) <= 1
 
 
-def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = None) -> dict[str, float | None]:
+def measureBed(snapshot: Snapshot, container: Container, voxel: float | None = None) -> dict[str, Any]:
     """Thickness and packing fraction of a bed at rest.
 
     thickness [m]: mean, over all voxel columns within the container, of the height of the highest solid voxel (a

@@ -13,7 +13,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import warnings
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self
 
@@ -171,7 +171,7 @@ def optional(check: Check) -> Check:
     return lambda name, value: None if value is None else check(name, value)
 
 
-def oneOf(choices: Iterable[str]) -> Check:
+def oneOf(choices: Collection[str]) -> Check:
     return lambda name, value: checks.oneOf(name, value, choices)
 
 

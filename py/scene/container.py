@@ -21,11 +21,17 @@ class Container(NamedTuple):
     depth: float | None
     height: float
 
+    @property
+    def sides(self) -> tuple[float, float]:
+        """(width, depth) of a box [m]."""
+        assert self.width is not None and self.depth is not None, 'a cylinder has no sides'
+        return self.width, self.depth
+
 
 def crossSection(container: Container) -> float:
     """Inner area [m2]."""
     if container.radius is None:
-        return container.width * container.depth
+        return math.prod(container.sides)
     return math.pi * container.radius ** 2
 
 
@@ -34,18 +40,18 @@ def checkFits(container: Container, largestParticle: float) -> None:
     if container.radius is not None:
         checkCylinder(container.radius, container.height, largestParticle)
     else:
-        checkBox(container.width, container.depth, container.height, largestParticle)
+        checkBox(*container.sides, container.height, largestParticle)
 
 
 def checkBox(width: float, depth: float, height: float, largestParticle: float) -> tuple[float, float, float]:
     """The sizes as floats; ValueError if a particle of bounding radius `largestParticle` [m] does not fit into the box."""
-    sizes = tuple(checks.positive(f'container {name}', size) for name, size in (('width', width), ('depth', depth), ('height', height)))
+    width, depth, height = (checks.positive(f'container {name}', size) for name, size in (('width', width), ('depth', depth), ('height', height)))
     largestParticle = checks.notNegative('largestParticle', largestParticle)
-    for name, size in zip(('width', 'depth', 'height'), sizes):
+    for name, size in zip(('width', 'depth', 'height'), (width, depth, height)):
         if size < 2 * largestParticle:
             raise ValueError(f'container {name} = {size!r}: the container is smaller than a particle '
                              f'(bounding diameter {2 * largestParticle:g} m)')
-    return sizes
+    return width, depth, height
 
 
 def checkCylinder(radius: float, height: float, largestParticle: float) -> tuple[float, float]:

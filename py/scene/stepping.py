@@ -32,8 +32,8 @@ class Stepper:
     REFRESH = 0.5    # s between updates of the line on a terminal
     LOG_REFRESH = 5.0  # s between lines in a log file
 
-    def __init__(self, plan: Mapping[str, int] | None = None, stream: TextIO | None = sys.stderr, left: int | None = None) -> None:
-        self.plan = dict(plan or {})
+    def __init__(self, plan: Mapping[str, float] | None = None, stream: TextIO | None = sys.stderr, left: int | None = None) -> None:
+        self.plan: dict[str, float] = dict(plan or {})
         self.stream, self.left = stream, left
         self.stage, self.stageSteps = '', 0
         self.steps, self.seconds = 0, 0.0

@@ -36,8 +36,8 @@ public:
 		text_ << "| " << heading << " |\n|";
 		for (long i = std::count(heading.begin(), heading.end(), '|'); i >= 0; --i)
 			text_ << " --- |";
-		text_ << '\n';
-		text_ << std::scientific << std::setprecision(0);
+		text_ << '\n'
+		      << std::scientific << std::setprecision(0);
 	}
 
 	AccuracyTable& operator<<(const std::string& cell)

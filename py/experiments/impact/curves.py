@@ -52,7 +52,9 @@ def drawCurves(data: Any, series: Sequence[str], values: Sequence[Any], panels: 
     columns = min(len(titles), 3) if len(titles) != 4 else 2
     rows = -(-len(titles) // columns)
     figure, axes = newFigure(columns, rows, 4.4 if columns > 1 else 6.4, 3.6, sharex=True, sharey=True)
-    colours = rampColours(len(lines)) if bySeries else [COLOURS[data.series.index(name) % len(COLOURS)] for name in lines]
+    colours: Sequence[Any] = rampColours(len(lines))
+    if not bySeries:
+        colours = [COLOURS[data.series.index(name) % len(COLOURS)] for name in lines]
     handles = {}
     for panel, title in zip(axes.flat, titles):
         for k, line in enumerate(lines):

@@ -77,11 +77,10 @@ def pour(run: ImpactRun) -> bool:
 def _betterCount(run: ImpactRun) -> int | None:
     """How many particles to pour instead, None if this is the bed."""
     p, pours = run.parameters, run.state.pours
-    thickness = measureBed(Snapshot.ofBodies(run.ids), run.container)['thickness']
-    pours.append({'number': len(run.ids), 'thickness': thickness})
+    pours.append({'number': len(run.ids), 'thickness': measureBed(Snapshot.ofBodies(run.ids), run.container)['thickness']})
     better = nextCount(pours, p.thickness, p.thicknessTolerance) if p.particles is None else None
     if better is not None:
-        run.say(f'thickness {1e3 * thickness:.2f} mm instead of {1e3 * p.thickness:.2f} mm: {better} particles are poured instead')
+        run.say(f'thickness {1e3 * pours[-1]["thickness"]:.2f} mm instead of {1e3 * p.thickness:.2f} mm: {better} particles are poured instead')
     return better
 
 

@@ -54,10 +54,10 @@ def particle(i, center, generator, material):
 
 
 def withStockLoop():
-    """YADE's own loop in the place of ours, with the same functors."""
-    ours = engine(InteractionLoop)
-    functors = [dispatcher.functors for dispatcher in (ours.geomDispatcher, ours.physDispatcher, ours.lawDispatcher)]
-    O.engines = [InteractionLoop(*functors, loopOnSortedInteractions=True) if each == ours else each for each in O.engines]
+    """YADE's own loop in the place of the superquadrics', with the same functors."""
+    current = engine(InteractionLoop)
+    functors = [dispatcher.functors for dispatcher in (current.geomDispatcher, current.physDispatcher, current.lawDispatcher)]
+    O.engines = [InteractionLoop(*functors, loopOnSortedInteractions=True) if each == current else each for each in O.engines]
     onOneThread()
 
 

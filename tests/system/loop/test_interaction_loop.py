@@ -19,10 +19,10 @@ def pair(distance, loop=SuperquadricInteractionLoop):
     for x in (0, distance):
         O.bodies.append(sq.superquadric((x, 0, 0), extents=Vector3(1, 1, 1) * HALF_SIZE, n1=4, n2=4, material=material))
     O.engines = sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.5 * HALF_SIZE)
-    ours = engine(InteractionLoop)
+    current = engine(InteractionLoop)
     if loop is InteractionLoop:
-        functors = [dispatcher.functors for dispatcher in (ours.geomDispatcher, ours.physDispatcher, ours.lawDispatcher)]
-        O.engines = [InteractionLoop(*functors) if each == ours else each for each in O.engines]
+        functors = [dispatcher.functors for dispatcher in (current.geomDispatcher, current.physDispatcher, current.lawDispatcher)]
+        O.engines = [InteractionLoop(*functors) if each == current else each for each in O.engines]
     O.dt = 1e-6
     return O.bodies[1]
 
@@ -128,14 +128,17 @@ def testSpheresMeetAtTheSameStepInBothLoops():
     assert begun[0] == begun[1] and 999 <= begun[0] <= 1003
 
 
-@pytest.mark.parametrize('ours', [True, False], ids=['superquadrics', 'spheres'])
-def testBodiesMadeInPythonMayBeErasedWhileTheSceneRuns(ours):
+@pytest.mark.parametrize('isSuperquadric', [True, False], ids=['superquadrics', 'spheres'])
+def testBodiesMadeInPythonMayBeErasedWhileTheSceneRuns(isSuperquadric):
     # Where the loop let go of such a shape last, in a thread without Python's lock, the whole process would end.
     O.reset()
     material = CurvatureMat(young=1e7, poisson=0.2, density=2500)
     for i in range(64):
         place = 1.99 * HALF_SIZE * Vector3(i % 4, i // 4 % 4, i // 16)
-        body = sq.superquadric(place, (HALF_SIZE,) * 3, 4, 4, material=material) if ours else utils.sphere(place, HALF_SIZE, material=material)
+        if isSuperquadric:
+            body = sq.superquadric(place, (HALF_SIZE,) * 3, 4, 4, material=material)
+        else:
+            body = utils.sphere(place, HALF_SIZE, material=material)
         O.bodies.append(body)
     O.engines = [*sq.superquadricEngines(gravity=(0, 0, 0), verletDist=0.2 * HALF_SIZE), PyRunner(command=ERASE_TWO, iterPeriod=1)]
     O.dt = 1e-7
