@@ -35,7 +35,7 @@ def draw(table, path):
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.4), constrained_layout=True)
     inner = [row for row in table if row[0] == EXPONENTS[0] and 0 < row[1] < 90]
     for axis, measured, ideal, label in zip(axes, (2, 4), (6, 7), ('velocity $V_z^+/V$', 'spin $r\\,\\omega_y^+/V$')):
-        axis.plot([r[1] for r in inner], [r[ideal] for r in inner], 'k--', lw=1, label='ideal cylinder, (15) (16)')
+        axis.plot([r[1] for r in inner], [r[ideal] for r in inner], 'k--', lw=1, label='ideal cylinder, rigid')
         for color, n1 in enumerate(EXPONENTS):
             mine = [row for row in table if row[0] == n1]
             axis.plot([r[1] for r in mine], [r[measured] for r in mine], 'o', color=f'C{color}', ms=4, label=f'simulated, $n_1$ = {n1:g}')

@@ -24,6 +24,8 @@ myst_heading_anchors = 4
 autodoc_member_order = 'bysource'
 autodoc_typehints = 'signature'
 autodoc_typehints_format = 'fully-qualified'
+# Where a module is described without being run, its annotations are short names, and classes of different folders may share one (State, Material).
+suppress_warnings = ['ref.python']
 autodoc_mock_imports = ['getfem', 'pandas', 'pyvista', 'scipy', 'vtkmodules']  # their modules are described without running them
 html_math_renderer = 'mathml'
 

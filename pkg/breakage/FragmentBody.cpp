@@ -1,6 +1,6 @@
 #include "FragmentBody.hpp"
 
-#include "BreakableState.hpp"
+#include "BreakableMat.hpp"
 
 #include <pkg/common/Sphere.hpp>
 #include <pkg/mechanics/FragmentMotion.hpp>
@@ -45,7 +45,7 @@ shared_ptr<Body> fragmentOf(const Body& old, const superquadric::Shape& whole, c
 #ifdef YADE_MPI
 	body->subdomain = old.subdomain;
 #endif
-	body->state = old.material->newAssocState();
+	body->state = static_cast<const BreakableMat&>(*old.material).newAssocState(); // a plain Material would make a State, too small for what follows
 	auto& state = static_cast<BreakableState&>(*body->state);
 	state.pos = state.refPos = parent.pos + offset;
 	state.ori = state.refOri = parent.ori;

@@ -13,7 +13,7 @@ class SuperquadricGeom;
 struct ContactKinematics {
 	using Side = superquadric::hertzMindlin::Side;
 	struct Radii {
-		Real effective; // 1/R = 1/R1 + 1/R2, R* of (7) [m]
+		Real effective; // R*, 1/R* = 1/R1 + 1/R2 [m]
 		Real smaller; // of R1 and R2 [m]
 	};
 

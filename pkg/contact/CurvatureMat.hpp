@@ -1,4 +1,4 @@
-// The material of the contact law (6)-(13): FrictMat with damping and rolling friction.
+// The material of the contact law of Wang & Ji (2018): FrictMat with damping and rolling friction.
 #pragma once
 
 #include <pkg/common/ElastMat.hpp>
@@ -10,7 +10,7 @@ class CurvatureMat : public FrictMat {
 public:
 	~CurvatureMat() override = default;
 
-	// tmax of (14) [s] for a smallest half size [m].
+	// Critical (Rayleigh) time step [s] for a smallest half size [m].
 	Real criticalTimeStep(Real minHalfSize) const;
 
 	// Called by YADE after the attributes were set or loaded. Refused values are put back before the error leaves.
@@ -38,10 +38,11 @@ private:
 		"Material for :yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin`, with the parameters of [Wang2018]_. A value that is refused raises ValueError "
 			"naming "
 		"the parameter and the value; the material then stays as it was. A change reaches contacts that begin after it.",
-		((Real, normalDamping, 0, Attr::triggerPostLoad, "$C_n$ of (6), within [0, 1) [-]. The restitution is 0.847 for 0.05, 0.820 for 0.06 and "
+		((Real, normalDamping, 0, Attr::triggerPostLoad, "Coefficient $C_n$ of the viscous normal force, within [0, 1) [-]. The restitution is 0.847 "
+			"for 0.05, 0.820 for 0.06 and "
 			"0.725 for 0.1, at any speed."))
-		((Real, tangentialDamping, 0, Attr::triggerPostLoad, "$C_t$ of (12), not negative [-]."))
-		((Real, rollingFriction, 0, Attr::triggerPostLoad, "$\\mu_r$ of (13), not negative [-]."))
+		((Real, tangentialDamping, 0, Attr::triggerPostLoad, "Coefficient $C_t$ of the viscous tangential force, not negative [-]."))
+		((Real, rollingFriction, 0, Attr::triggerPostLoad, "Coefficient $\\mu_r$ of rolling friction, not negative [-]."))
 		, createIndex(); postLoad(*this);,
 		.add_property("density", &CurvatureMat::getInherited<Material, &Material::density>, &CurvatureMat::setInherited<Material, &Material::density>,
 			"Density, positive [kg/m^3].")
@@ -49,10 +50,12 @@ private:
 			"Young's modulus, positive [Pa].")
 		.add_property("poisson", &CurvatureMat::getInherited<ElastMat, &ElastMat::poisson>, &CurvatureMat::setInherited<ElastMat, &ElastMat::poisson>,
 			"Poisson's ratio, between -1 and 0.5 [-].")
-		.add_property("frictionAngle", &CurvatureMat::getInherited<FrictMat, &FrictMat::frictionAngle>, &CurvatureMat::setInherited<FrictMat, &FrictMat::frictionAngle>,
-			"Angle of sliding friction, the arc tangent of $\\mu_s$ of (11), within [0, pi/2) [rad].")
+		.add_property("frictionAngle", &CurvatureMat::getInherited<FrictMat, &FrictMat::frictionAngle>,
+			&CurvatureMat::setInherited<FrictMat, &FrictMat::frictionAngle>,
+			"Angle of sliding friction, the arc tangent of the friction coefficient $\\mu_s$, within [0, pi/2) [rad].")
 		.def("criticalTimeStep", &CurvatureMat::criticalTimeStep, (boost::python::arg("minHalfSize")),
-			"$t_{max}$ of (14) [s] for the smallest half size among the particles [m]; steps of at most 0.1 $t_{max}$ are advised. ValueError unless "
+			"Critical (Rayleigh) time step $t_{max}$ [s] for the smallest half size among the particles [m]; steps of at most 0.1 $t_{max}$ are advised. "
+			"ValueError unless "
 				"minHalfSize is positive.")
 	);
 	// clang-format on

@@ -18,16 +18,17 @@ public:
 			"normalForce and shearForce are "
 		"the whole forces, viscous parts included; kn is the tangent stiffness of the normal force and ks that of the tangential force before slip, "
 			"its upper bound.",
-		((Real, effectiveModulus, NaN, Attr::readonly, "$E^*$ of (7) [Pa]."))
-		((Real, stiffnessRatio, NaN, Attr::readonly, "$(2-\\nu)/(2(1-\\nu))$ of (11), or its generalisation for unequal materials, kn/ks [-]."))
-		((Real, normalDamping, NaN, Attr::readonly, "$C_n$ of (6) [-]."))
-		((Real, tangentialDamping, NaN, Attr::readonly, "$C_t$ of (12) [-]."))
-		((Real, rollingFriction, NaN, Attr::readonly, "$\\mu_r$ of (13) [-]."))
-		((Real, effectiveMass, NaN, Attr::readonly, "$m^*=m_1m_2/(m_1+m_2)$, of the tangential damping (12) in this step [kg]. |yupdate|"))
-		((Real, normalMass, NaN, Attr::readonly, "$m^*$ of the normal damping (8) in this step, see "
+		((Real, effectiveModulus, NaN, Attr::readonly, "Effective modulus $E^*$ [Pa]."))
+		((Real, stiffnessRatio, NaN, Attr::readonly, "Ratio kn/ks of normal to tangential stiffness, $(2-\\nu)/(2(1-\\nu))$ or its generalisation for "
+			"unequal materials [-]."))
+		((Real, normalDamping, NaN, Attr::readonly, "Coefficient $C_n$ of the viscous normal force [-]."))
+		((Real, tangentialDamping, NaN, Attr::readonly, "Coefficient $C_t$ of the viscous tangential force [-]."))
+		((Real, rollingFriction, NaN, Attr::readonly, "Coefficient $\\mu_r$ of rolling friction [-]."))
+		((Real, effectiveMass, NaN, Attr::readonly, "$m^*=m_1m_2/(m_1+m_2)$, effective mass of the viscous tangential force in this step [kg]. |yupdate|"))
+		((Real, normalMass, NaN, Attr::readonly, "Effective mass $m^*$ of the viscous normal force in this step, see "
 			":yref:`Law2_ScGeom_CurvaturePhys_HertzMindlin.effectiveMassAtContact` [kg]. |yupdate|"))
-		((Real, effectiveRadius, NaN, Attr::readonly, "$R^*$ of (7) in this step, from bounded curvatures [m]. |yupdate|"))
-		((Real, hertzStiffness, 0, Attr::readonly, "$K_n$ of (7) in this step [N/m^1.5]. |yupdate|"))
+		((Real, effectiveRadius, NaN, Attr::readonly, "Effective radius $R^*$ in this step, from bounded curvatures [m]. |yupdate|"))
+		((Real, hertzStiffness, 0, Attr::readonly, "Hertz's stiffness $K_n$ in this step [N/m^1.5]. |yupdate|"))
 		((Real, overlap, 0, Attr::readonly, "Overlap in this step that the law counts, which is the geometry's less restOverlap [m]. |yupdate|"))
 		((Real, restOverlap, 0, Attr::readonly, "Overlap without force: that which the bodies had when one of them came to be by breakage "
 			"(:yref:`BreakageEngine`), in the same step as the contact; an overlap that falls below takes it along, it never grows. Zero of all "
@@ -36,7 +37,7 @@ public:
 			"began, less what slipped; turns with the contact [m]. |yupdate|"))
 		((Vector3r, normalViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of normalForce [N]. |yupdate|"))
 		((Vector3r, shearViscous, Vector3r::Zero(), Attr::readonly, "Viscous part of shearForce [N]. |yupdate|"))
-		((Vector3r, rollingCouple, Vector3r::Zero(), Attr::readonly, "Couple of (13) on body 2 [N m]. |yupdate|"))
+		((Vector3r, rollingCouple, Vector3r::Zero(), Attr::readonly, "Couple of rolling friction on body 2 [N m]. |yupdate|"))
 		((Real, shearEnergy, 0, Attr::readonly, "Elastic energy of the tangential displacement in this step [J]. |yupdate|"))
 		, createIndex();,
 		.def("storedEnergy", &CurvaturePhys::storedEnergy, "Elastic energy of this contact in this step, of all its springs [J].")

@@ -23,7 +23,8 @@ protected:
 	YADE_CLASS_BASE_DOC_ATTRS(Ip2_CurvatureMat_CurvatureMat_CurvaturePhys, IPhysFunctor,
 		"Creates :yref:`CurvaturePhys` when a contact begins. The paper has one material only; for two: $1/E^*=(1-\\nu_1^2)/E_1+(1-\\nu_2^2)/E_2$; "
 			"the "
-		"factor of (11) is $E^*/(4G^*)$ with $1/G^*=(2-\\nu_1)/G_1+(2-\\nu_2)/G_2$; the smaller sliding and the smaller rolling friction (the weaker "
+		"ratio of normal to tangential stiffness is $E^*/(4G^*)$ with $1/G^*=(2-\\nu_1)/G_1+(2-\\nu_2)/G_2$; the smaller sliding and the smaller "
+		"rolling friction (the weaker "
 			"partner "
 		"yields first); the mean of the damping coefficients. Equal materials give the paper's formulas.",
 		((shared_ptr<MatchMaker>, frictAngle, , , "How the angle of sliding friction follows from those of the materials [rad]; the smaller one if "

@@ -212,7 +212,7 @@ namespace {
 
 		static NewtonStep still() { return { Vector3::Zero(), Vector3::Zero(), Vector3::Zero(), 0 }; }
 
-		// The contact at the end of a last step: normal, surface points along it, overlap and curvatures (the text below eq. (3)).
+		// The contact at the end of a last step: normal, surface points along it, overlap and curvatures (Wang & Ji, the text below their equation (3)).
 		bool accept(PairPoint& point, const NewtonStep& last)
 		{
 			const Placement &body1 = problem_.body1(), &body2 = problem_.body2();

@@ -1,5 +1,5 @@
 // The convex problem behind the contact of two superquadrics: min over x of t(x) = max(g1(x), g2(x)), the common scaling t* at
-// which they touch. Its optimality conditions are eq. (2) with the gauges g in place of F: the same point when the exponents n1
+// which they touch. Its optimality conditions are Wang & Ji's equation (2) with the gauges g in place of F: the same point when the exponents n1
 // are equal, the same verdict always.
 //
 // Where flat faces meet, many points are nearly as deep, and the deepest jumps over the face at the slightest tilt. So of bodies that

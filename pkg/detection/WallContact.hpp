@@ -23,7 +23,7 @@ Contact contactPlane(const Placement& body, const Vector3& origin, const Vector3
 Contact contactTriangle(const Placement& body, const std::array<Vector3, 3>& vertices, WarmStart& warm, SolverCounters& counters);
 
 // The inside of a cylinder of the given radius about the line through `origin` along the unit vector `axis`, without end. The
-// contact is at the body's farthest point from the axis, where the normals agree as in eq. (4). The normal is radial, outwards;
+// contact is at the body's farthest point from the axis, where the normals agree as in Wang & Ji's equation (4). The normal is radial, outwards;
 // `lower` and `upper` bound the ratio of the wall's radius to that distance, over the directions in which the body's
 // bounding sphere reaches the wall.
 Contact contactHollowCylinder(

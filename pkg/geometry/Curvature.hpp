@@ -1,4 +1,4 @@
-// Mean curvature of a level surface, eq. (10) with the sign that makes it +1/R on a sphere of radius R.
+// Mean curvature of a level surface (Wang & Ji, equation (10)) with the sign that makes it +1/R on a sphere of radius R.
 #pragma once
 
 #include "Shape.hpp"

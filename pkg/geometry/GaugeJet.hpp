@@ -5,7 +5,8 @@
 
 namespace superquadric {
 
-// The Hessian is kept as the few numbers it is made of, [h11 h12 0; h12 h22 0; 0 0 h33] - rank gradient gradient', because f of (1) couples
+// The Hessian is kept as the few numbers it is made of, [h11 h12 0; h12 h22 0; 0 0 h33] - rank gradient gradient', because the shape function f
+// couples
 // x and y only and the root that makes the gauge of it adds the rest.
 struct GaugeJet {
 	double value;

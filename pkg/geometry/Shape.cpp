@@ -50,7 +50,7 @@ namespace {
 		return { large * sum * byLarge, p >= q ? byLarge : bySmall, p >= q ? bySmall : byLarge };
 	}
 
-	// The farthest point from the centre: with X = x^2 ... the squared distance is linear and eq. (1) a norm with the exponents
+	// The farthest point from the centre: with X = x^2 ... the squared distance is linear and the shape function a norm with the exponents
 	// n/2, so the maximum is the dual norm, of exponents n/(n-2), of the squared half sizes.
 	double farthestPoint(const Vector3& h, double n1, double n2)
 	{

@@ -34,7 +34,7 @@ public:
 	long fingerprint() const { return fingerprint_; }
 	bool operator==(const Shape& other) const { return halfSizes_ == other.halfSizes_ && n1() == other.n1() && n2() == other.n2(); }
 
-	// f of eq. (1).
+	// The shape function f.
 	double function(const Vector3& x) const;
 	Vector3 functionGradient(const Vector3& x) const;
 	Matrix3 functionHessian(const Vector3& x) const;

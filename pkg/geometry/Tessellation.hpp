@@ -1,7 +1,7 @@
 // Triangles in place of the surface, for views, files and meshes.
 //
 // The points form a grid, as on a globe: rings at heights c z_k, each the section (a C_j, b S_j) scaled by s_k, where |s|^n1 + |z|^n1 = 1 and
-// |C|^n2 + |S|^n2 = 1 put all of them on the surface of eq. (1). Two neighbours on one ring and the two below them lie in one plane, because
+// |C|^n2 + |S|^n2 = 1 put all of them on the surface. Two neighbours on one ring and the two below them lie in one plane, because
 // their chords are parallel; and the solid they bound is { |x, y|_Q <= s(z) }, with the convex polygon Q of the section for a norm and the concave
 // polygon s of the profile. So the tessellation is convex: the convex hull of its points.
 #pragma once

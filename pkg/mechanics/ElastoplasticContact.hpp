@@ -1,6 +1,6 @@
 // The elastoplastic normal contact of Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39, 1211 (2018), eqs. (1)-(11): four
 // paths, elastic (1), plastic loading (2), unloading and reloading (3), further plastic loading (4).
-// The equations are lost pictures in our copy; they are rebuilt from its text and Johnson, Contact Mechanics. What was chosen
+// The equations are rebuilt from its text and Johnson, Contact Mechanics (docs/notation.md). What was chosen
 // thereby is stated at the function. SI units everywhere.
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace superquadric::elastoplastic {
 
-// The fit to finite elements, (1) and (2): fp/fy = G(R/R0) ((a - ay)/ay)^H with G(r) = m0 + m1 r + m2 r^2. Outside the radii
+// The fit to finite elements (their equations (1) and (2)): fp/fy = G(R/R0) ((a - ay)/ay)^H with G(r) = m0 + m1 r + m2 r^2. Outside the radii
 // that were fitted a parabola means nothing; there G keeps its value at the nearer end. (Without a length in the material G cannot
 // depend on R at all: fy goes as R^2 and ay as R.)
 struct Hardening {
@@ -30,7 +30,7 @@ struct Material {
 };
 
 // Throws std::invalid_argument with name and value of what is wrong. G must be positive at all radii of the fit, so that the
-// force grows, and 0 < H < 3: from 3 on the plastic contact would end up stiffer than Hertz's (4).
+// force grows, and 0 < H < 3: from 3 on the plastic contact would end up stiffer than Hertz's.
 void check(const Material& material);
 
 // Which of two materials makes the contact yield: the one with the smaller yield stress, as both feel the same pressure. All of the
@@ -40,7 +40,7 @@ const Material& softer(const Material& one, const Material& other);
 // p_y over sigma_y: by Mises and for Poisson's ratio 0.3, Johnson, Contact Mechanics, section 6.1.
 constexpr double pressureAtYield = 1.6;
 
-// (5)-(7), with the mean modulus E* and the effective radius R of the contact.
+// Onset of yield (their equations (5)-(7)), with the mean modulus E* and the effective radius R of the contact.
 struct YieldPoint {
 	double pressure; // p_y [Pa]
 	double force, overlap, contactRadius; // fy [N], dy [m], ay [m]
@@ -55,16 +55,16 @@ struct Pair {
 	double radius; // R [m]
 };
 
-// Paths 1, 2 and 4: the force while the overlap is larger than ever before. Below dy it is Hertz's (4); beyond, (10):
+// Paths 1, 2 and 4: the force while the overlap is larger than ever before. Below dy it is Hertz's; beyond, the plastic one (their equation (10)):
 //     fN = fy + fy G ((a - ay)/ay)^H,   a = sqrt(R d).
 // Unloading (path 3) is Hertz's with the disc of contact that loading has left behind: a^2 = R dmax = R' (dmax - dR), where
-// R' >= R is the radius of the flattened contact. It meets (10) at dmax, hence
+// R' >= R is the radius of the flattened contact. It meets the plastic curve at dmax, hence
 //     dmax - dR = 3 f/(4 E* a).
 // With the original R in the place of R' the disc would shrink suddenly on unloading, and the restitution would go as v^(-1/6) in the
 // plastic limit instead of Johnson's v^(-1/4).
 //
-// Where (10) is so steep that dR would shrink, below zero even where it lies above Hertz, loading would set energy free. No contact
-// can; there dR stays as it is (zero: Hertz) until (10) has fallen back far enough. It happens on one stretch of overlaps at most.
+// Where the plastic curve is so steep that dR would shrink, below zero even where it lies above Hertz, loading would set energy free. No contact
+// can; there dR stays as it is (zero: Hertz) until that curve has fallen back far enough. It happens on one stretch of overlaps at most.
 class LoadingCurve {
 public:
 	explicit LoadingCurve(const Pair& pair);
@@ -105,7 +105,7 @@ struct History {
 	double modulus = 0, radius = 0; // E* [Pa] and R [m] at the first touch, 0 before
 	double largest = 0; // dmax [m]
 	double residual = 0; // dR [m]
-	double dissipated = 0; // plastic work so far, (11) [J]
+	double dissipated = 0; // plastic work so far (their equation (11)) [J]
 };
 
 struct State {
@@ -123,8 +123,8 @@ struct State {
 // of `pair` count at the first touch only. An overlap that is not positive leaves the history as it is.
 State normalForce(const Pair& pair, const History& history, double overlap);
 
-// The viscous part [N], of the form of (6)-(8) in HertzMindlin.hpp, Cn sqrt(4 m* k) v with the stiffness k of the unloading branch and the speed of
-// approach v: on paths 1 and 3 only, and never attractive together with the force. With k = 2 E* sqrt(R d) of path 1 it is (8).
+// The viscous part [N], of the form in HertzMindlin.hpp, Cn sqrt(4 m* k) v with the stiffness k of the unloading branch and the speed of
+// approach v: on paths 1 and 3 only, and never attractive together with the force. With k = 2 E* sqrt(R d) of path 1 it is that one.
 double viscousForce(const State& state, double damping, double mass, double approachSpeed);
 
 } // namespace superquadric::elastoplastic

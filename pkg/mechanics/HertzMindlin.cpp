@@ -36,7 +36,7 @@ double Pair::hertz() const { return 4. / 3 * modulus * std::sqrt(radius); }
 NormalForce normalForce(const Pair& pair, double damping, double overlap, double approachSpeed)
 {
 	const double contactRadius = std::sqrt(pair.radius * overlap);
-	const double viscosity = std::sqrt(8 * pair.mass * pair.modulus * contactRadius); // A of (8)
+	const double viscosity = std::sqrt(8 * pair.mass * pair.modulus * contactRadius); // A of equation (8)
 	NormalForce force;
 	force.stiffness = 2 * pair.modulus * contactRadius;
 	force.elastic = 2. / 3 * force.stiffness * overlap;

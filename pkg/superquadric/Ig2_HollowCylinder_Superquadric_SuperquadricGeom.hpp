@@ -13,7 +13,7 @@ public:
 	// clang-format off
 	YADE_CLASS_BASE_DOC(Ig2_HollowCylinder_Superquadric_SuperquadricGeom, SuperquadricGeomFunctor,
 		"Creates/updates a :yref:`SuperquadricGeom` of a :yref:`HollowCylinder` and a :yref:`Superquadric`, whose deepest point is its farthest "
-		"from the axis, eq. (4)."
+		"from the axis; there the normals of both agree."
 	);
 	// clang-format on
 

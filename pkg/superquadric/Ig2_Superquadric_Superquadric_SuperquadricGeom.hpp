@@ -17,7 +17,7 @@ public:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC(Ig2_Superquadric_Superquadric_SuperquadricGeom, SuperquadricGeomFunctor,
-		"Creates/updates a :yref:`SuperquadricGeom` of two :yref:`superquadrics<Superquadric>`, eqs. (2)-(5). Every answer is proved by a point "
+		"Creates/updates a :yref:`SuperquadricGeom` of two :yref:`superquadrics<Superquadric>`. Every answer is proved by a point "
 		"inside both or by a plane between them; a pair that is apart keeps that plane in a parked geometry, which settles most later steps at "
 		"once. The counts tell how; the entry uncertified must stay 0."
 	);

@@ -24,6 +24,8 @@ public:
 	void postLoad(Superquadric&);
 
 	Real volume() const;
+	// The virtual function that every shape has since YADE 2026.1, so not const; the level sets of YADE ask for it.
+	Real getVolume() { return volume(); } // NOLINT(readability-make-member-function-const)
 	Vector3r inertia(Real density) const;
 	Real function(const Vector3r& point) const;
 	Real gauge(const Vector3r& point) const;
@@ -44,7 +46,7 @@ private:
 
 	// clang-format off
 	YADE_CLASS_BASE_DOC_ATTRS_CTOR_PY(Superquadric, Shape,
-		"Superquadric particle of [Wang2018]_, eq. (1): $f(x)=\\left(|x/a|^{n_2}+|y/b|^{n_2}\\right)^{n_1/n_2}+|z/c|^{n_1}$, "
+		"Superquadric particle of [Wang2018]_: $f(x)=\\left(|x/a|^{n_2}+|y/b|^{n_2}\\right)^{n_1/n_2}+|z/c|^{n_1}$, "
 		"surface $f=1$, inside $f<1$, in the frame of the body. $n_1=n_2=2$ is an ellipsoid, $n_1\\gg 2$, $n_2=2$ a cylinder along z, "
 		"$n_1, n_2\\gg 2$ a block. Refused values raise ValueError naming the parameter and the value; the shape then stays as it was.\n\n"
 		"Points and directions given to the methods are in the frame of the body, from its centre.\n\n"
@@ -57,9 +59,10 @@ private:
 		.add_property("extents", &Superquadric::getExtents, &Superquadric::setExtents,
 			"Half sizes (a, b, c) along the principal axes [m]; within [1e-30, 1e30]. Assign all three: reading gives a copy.")
 		.def("volume", &Superquadric::volume, "Volume [m^3], in closed form.")
+		.def("getVolume", &Superquadric::getVolume, "The same, under the name that it has for YADE's own shapes since YADE 2026.1.")
 		.def("inertia", &Superquadric::inertia, (boost::python::arg("density")),
 			"Principal moments of inertia (Ixx, Iyy, Izz) about the centre for a density in [kg/m^3]; Vector3 [kg m^2], in closed form.")
-		.def("function", &Superquadric::function, (boost::python::arg("point")), "f of eq. (1) at a point [m]: below 1 inside, 1 on the surface.")
+		.def("function", &Superquadric::function, (boost::python::arg("point")), "Shape function f at a point [m]: below 1 inside, 1 on the surface.")
 		.def("gauge", &Superquadric::gauge, (boost::python::arg("point")),
 			"$f^{1/n_1}$ at a point [m]: the factor by which the body must be scaled for its surface to pass through the point.")
 		.def("support", &Superquadric::support, (boost::python::arg("direction")),
@@ -70,7 +73,7 @@ private:
 			"Half extents [m] of the exact box along the axes of space for the body rotated by a unit quaternion.")
 		.def("boundingRadius", &Superquadric::boundingRadius, "Radius of the smallest sphere about the centre that holds the body [m].")
 		.def("meanCurvature", &Superquadric::meanCurvature, (boost::python::arg("point")),
-			"Mean curvature [1/m], eq. (10), positive: where the ray from the centre through the point leaves the body. ValueError for the centre.")
+			"Mean curvature [1/m], positive: where the ray from the centre through the point leaves the body. ValueError for the centre.")
 		.def("tessellation", &Superquadric::tessellation, (boost::python::arg("error")),
 			"Closed convex surface of triangles, inscribed, whose largest distance from the surface is at most `error` [m]: (points, normals, "
 				"triangles, error). "

@@ -65,8 +65,8 @@ private:
 		"the contact solver.",
 		((bool, touching, false, Attr::readonly, "Whether the bodies overlap: then penetrationDepth > 0, else it is negative without further "
 			"meaning. |yupdate|"))
-		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 at X1, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
-		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 at X2, eq. (10), positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature1, 0, Attr::readonly, "Mean curvature of body 1 at X1, positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
+		((Real, curvature2, 0, Attr::readonly, "Mean curvature of body 2 at X2, positive, without bounds; 0 for a wall [1/m]. |yupdate|"))
 		((Real, sectionRadius1, 0, Attr::readonly, "Radius of body 1's middle section across the normal, sqrt(a b c/h) with its half thickness h = "
 			"(X1-centre).normal; 0 for a wall [m]. |yupdate|"))
 		((Real, sectionRadius2, 0, Attr::readonly, "Radius of body 2's middle section across the normal, sqrt(a b c/h) with its half thickness h = "

@@ -22,11 +22,11 @@ class Material(Parameters):
     friction: float = parameter(0.5, checks.notNegative, 'coefficient of sliding friction')
     restitution: float | None = parameter(0.5, optional(checks.finite), 'coefficient of restitution of the viscous normal force, from which '
                                           'normalDamping follows')
-    normalDamping: float | None = parameter(None, optional(within(0, 1, False)), 'Cn of the viscous normal force (equation (6) of Wang & Ji 2018), '
+    normalDamping: float | None = parameter(None, optional(within(0, 1, False)), 'coefficient Cn of the viscous normal force (Wang & Ji 2018), '
                                             'instead of restitution', insteadOf='restitution')
-    tangentialDamping: float | None = parameter(None, optional(checks.notNegative), 'Ct of the viscous tangential force (equation (12) there); where '
+    tangentialDamping: float | None = parameter(None, optional(checks.notNegative), 'coefficient Ct of the viscous tangential force; where '
                                                 'none is given it is Cn')
-    rollingFriction: float = parameter(0.002, checks.notNegative, 'mu_r of the rolling resistance (equation (13) there)')
+    rollingFriction: float = parameter(0.002, checks.notNegative, 'coefficient mu_r of rolling friction (Wang & Ji 2018)')
 
     def check(self) -> None:
         super().check()
@@ -50,6 +50,6 @@ class Material(Parameters):
                 'rollingFriction': self.rollingFriction}
 
     def criticalTimeStep(self, halfSize: float) -> float:
-        """Critical time step (14) [s] of a particle of this smallest half size [m]."""
+        """Critical (Rayleigh) time step [s] of a particle of this smallest half size [m]."""
         attributes = self.attributes()
         return rayleighTimeStep(halfSize, attributes['young'], attributes['poisson'], attributes['density'])

@@ -36,4 +36,6 @@ class _Loader(yaml.SafeLoader):
         return super().construct_mapping(node, deep)
 
 
-_Loader.add_implicit_resolver('tag:yaml.org,2002:float', re.compile(r'[-+]?[0-9]+[eE][-+]?[0-9]+'), list('-+0123456789'))  # type: ignore[no-untyped-call]
+# Whole numbers with an exponent, such as 1e9, are texts by YAML 1.1; here they are numbers.
+_Loader.add_implicit_resolver(  # type: ignore[no-untyped-call]
+    'tag:yaml.org,2002:float', re.compile(r'[-+]?[0-9]+[eE][-+]?[0-9]+'), list('-+0123456789'))

@@ -4,7 +4,7 @@
     young [Pa], poisson, density [kg/m^3]
     yieldStress [Pa]          where the curve begins
     stressStrain              list of [plastic strain, true stress in Pa]; straight in between, constant beyond the last
-    hardening                 referenceRadius R0 [m], m0, m1, m2, exponent H, smallestRatio, largestRatio (of R/R0): (1), (2) of
+    hardening                 referenceRadius R0 [m], m0, m1, m2, exponent H, smallestRatio, largestRatio (of R/R0): the plastic law of
                               Li, Gao, Zhang & Liu (2018), with the half-width a = sqrt(R d)
     fit                       how `hardening` was found: see FIT_KEYS
 
@@ -68,7 +68,7 @@ def checked(content: Any, identified: bool = True) -> dict[str, Any]:
 
 
 def checkedHardening(content: Any) -> dict[str, float]:
-    """The constants of (1) and (2) as floats. The same conditions as in pkg/mechanics/ElastoplasticContact.cpp: the force must grow with the
+    """The constants of the plastic law as floats. The same conditions as in pkg/mechanics/ElastoplasticContact.cpp: the force must grow with the
     overlap, but less than Hertz's stiffness does."""
     _checkKeys('hardening', content, HARDENING_KEYS, HARDENING_KEYS)
     constants = {key: checks.finite(f'hardening.{key}', content[key]) for key in HARDENING_KEYS}
@@ -86,7 +86,7 @@ def checkedHardening(content: Any) -> dict[str, float]:
 
 
 def factor(hardening: Mapping[str, float], ratio: float) -> float:
-    """G at R/R0, (2)."""
+    """The hardening function G at R/R0."""
     return hardening['m0'] + ratio * (hardening['m1'] + ratio * hardening['m2'])
 
 

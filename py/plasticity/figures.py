@@ -81,7 +81,7 @@ def collapsePicture(path: PathLike, curves: Sequence[Curve], law: Fit, disc: Fit
     for (fit, halfWidth, title), (above, below) in zip(columns, panels.T):
         for i, curve in enumerate(curves):
             _drawCase(above, below, fit, fits.points([curve], halfWidth), i, f'{curve.name} ($R$ = {1e3 * curve.radius:.3g} mm)')
-        above.plot([], [], color=GREY, lw=1.2, label='fit (1), (2)')
+        above.plot([], [], color=GREY, lw=1.2, label='fit of the plastic law')
         above.set(xscale='log', yscale='log')
         above.set_title(title, fontsize=10.5)
         below.axhline(0, color=GREY, lw=1)

@@ -1,4 +1,4 @@
-"""The constants of the law from curves of force over half-width: (1), (2), (8)-(10) of Li, Gao, Zhang & Liu (2018)
+"""The constants of the plastic law of Li, Gao, Zhang & Liu (2018) from curves of force over half-width
 
     fN/fy = 1 + G(R/R0) ((a - ay)/ay)^H,    G(r) = m0 + m1 r + m2 r^2
 
@@ -60,7 +60,7 @@ def points(curves: Sequence[Curve], halfWidth: Callable[[Curve], Floats] = nomin
 
 
 def force(constants: ArrayLike, ratio: Any, excess: Any) -> Any:
-    """fN/fy of (10); `constants` m0, m1, m2, H in this order."""
+    """Force over the yield force, fN/fy; `constants` m0, m1, m2, H in this order."""
     m0, m1, m2, exponent = numpy.asarray(constants)
     return 1 + (m0 + ratio * (m1 + ratio * m2)) * excess**exponent
 

@@ -1,4 +1,5 @@
-"""Closed forms of the elastic contact: Hertz (4), and where yielding begins (5)-(7). Johnson, Contact Mechanics (1985), chapters 3, 4 and 6.
+"""Closed forms of the elastic contact: Hertz's force, and where yielding begins (Li et al. 2018).
+Johnson, Contact Mechanics (1985), chapters 3, 4 and 6.
 
 `modulus` is the effective modulus E* [Pa], `radius` the effective radius R [m] of the contact.
 """
@@ -32,14 +33,14 @@ def effectiveRadius(*radii: float) -> float:
 
 
 def yieldPoint(yieldStress: float, modulus: float, radius: float) -> YieldPoint:
-    """The elastic contact at the onset of yield, (5)-(7)."""
+    """The elastic contact at the onset of yield."""
     pressure = PRESSURE_AT_YIELD * yieldStress
     slope = numpy.pi * pressure / (2 * modulus)   # ay/R
     return YieldPoint(pressure, 4 / 3 * modulus * radius**2 * slope**3, slope**2 * radius, slope * radius)
 
 
 def force(modulus: float, radius: float, overlap: Any) -> Any:
-    """(4) [N]."""
+    """Hertz's force [N]."""
     return 4 / 3 * modulus * numpy.sqrt(radius) * overlap**1.5
 
 

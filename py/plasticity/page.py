@@ -15,17 +15,22 @@ if TYPE_CHECKING:
     from .fit import Fit
     from .identify import Identification
 
-METHOD = """Axisymmetric finite elements (getfem): spheres and plates of this metal, von Mises' plasticity with isotropic hardening along the
-curve, no friction; small strain, contact at the undeformed r. Radii in mm. The overlap d is that of the far ends, plus the elastic give of what was
-cut off there, so that it is Hertz's. R is the effective radius; dy, ay and fy are overlap, half-width and force at the onset of yield with
-p_y = 1.6 sigma_y, (5)-(7) of Li, Gao, Zhang & Liu (2018)."""
-FORMULA = """fN = fy + fy (m0 + m1 r + m2 r^2) ((a - ay)/ay)^H, r = R/(2.5 mm), by least squares of the relative error of the force, at loads in equal
-ratios of sqrt(d). In brackets 95 % intervals from the errors; as these are the power law's own and neighbours are alike, they count as fewer."""
-RANGES = """Fitted to smaller loads only, with a G without R, the law follows these better, and misses the larger ones; see also the restitution
-below."""
-UNLOADING = """Residual overlap dR over the largest overlap dmax: of the finite elements, and of Hertz branches through the same point with the disc
-a^2 = R dmax (the law in YADE), with the original R, and with the disc of the finite elements, whose a^2/(R dmax) is given. Then the
-restitution that a slow collision would have: of the finite elements, of their loading with the law's unloading, of the law alone."""
+METHOD = """\
+Axisymmetric finite elements (getfem) of spheres and plates of this metal: von Mises plasticity with isotropic hardening along the curve, no
+friction, small strain, contact at the undeformed radial coordinate. Radii are in mm. The overlap d is the approach of the far ends, plus the
+elastic deformation of the part that was cut off there, so that it is Hertz's overlap. R is the effective radius; dy, ay and fy are overlap,
+half-width and force at the onset of yield with p_y = 1.6 sigma_y (Li, Gao, Zhang & Liu 2018)."""
+FORMULA = """\
+fN = fy + fy (m0 + m1 r + m2 r^2) ((a - ay)/ay)^H, r = R/(2.5 mm), fitted by least squares of the relative error of the force, at loads in equal
+ratios of sqrt(d). In brackets: 95 % intervals from the errors. The errors are those of the power law itself and similar at neighbouring loads;
+they therefore count as fewer independent ones."""
+RANGES = """\
+If the law is fitted to smaller loads only, with a G that does not depend on R, it follows these better and deviates at larger ones; see also the
+restitution below."""
+UNLOADING = """\
+Residual overlap dR over the largest overlap dmax: of the finite elements, and of Hertz unloading curves through the same point with the contact
+radius a^2 = R dmax (the law in YADE), with the original R, and with the contact radius of the finite elements, whose a^2/(R dmax) is given. Then
+the restitution of a slow collision: of the finite elements, of their loading with the law's unloading, and of the law alone."""
 
 
 def text(found: Identification) -> str:
@@ -55,7 +60,7 @@ def _constants(found: Identification) -> str:
                f'{fit.constants["m0"]:.4g}', f'{fit.constants["exponent"]:.4g}', f'{100 * fit.rms:.1f} %']
               for largest, fit in (*found.ranges.items(), (found.settings.largest, found.constant))]
     return '\n\n'.join(['## Constants', FORMULA, _table(['a', 'm0', 'm1', 'm2', 'H', 'rms error of the force', 'largest'], rows),
-                        f'The cases lie {100 * spread:.2f} % (rms) apart at the same (a - ay)/ay. {_dependence(found.law)}',
+                        f'The cases differ by {100 * spread:.2f} % (rms) at the same (a - ay)/ay. {_dependence(found.law)}',
                         '![collapse](collapse.png)', RANGES, _table(['sqrt(R d)/R up to', 'd/dy up to', 'G', 'H', 'rms error of the force'], ranges)])
 
 
@@ -66,8 +71,9 @@ def _bracketed(fit: Fit, name: str) -> str:
 
 def _dependence(fit: Fit) -> str:
     nil = [name for name in ('m1', 'm2') if fit.intervals[name][0] <= 0 <= fit.intervals[name][1]]
-    said = f'{" and ".join(nil)} cannot be told from zero.' if nil else 'that m1 and m2 are not zero is the finite size of the spheres, and the mesh.'
-    return 'Without a length in the material G cannot depend on R, as fy goes with R^2 and ay with R; ' + said
+    different = 'that m1 and m2 are not zero is the finite size of the spheres, and the mesh.'
+    said = f'{" and ".join(nil)} are not significantly different from zero.' if nil else different
+    return 'Without a length scale in the material G cannot depend on R, because fy is proportional to R^2 and ay to R; ' + said
 
 
 def _cases(found: Identification) -> str:
@@ -79,7 +85,7 @@ def _cases(found: Identification) -> str:
                      f'{curve.halfWidth[-1] / curve.radius:.3g}', f'{curve.force[-1]:.4g}', f'{pressure:.3g}', f'{result.largestStrain:.2g}',
                      f'{100 * result.largestPenetration:.2g} %', str(result.failures)])
     columns = ['case', 'R [mm]', 'largest d/dy', 'largest a/R', 'force there [N]', 'mean pressure/sigma_y there', 'largest plastic strain',
-               'penetration/d (taken off)', 'halved steps']
+               'penetration/d (subtracted)', 'halved steps']
     return '## Cases\n\n' + _table(columns, rows)
 
 
@@ -89,7 +95,7 @@ def _hertz(found: Identification) -> str:
         force, halfWidth = hertz.errors(curve)
         rows.append([curve.name, _worst(force), _worst(halfWidth), f'{fits.nominalHalfWidth(curve)[-1] / curve.radius:.3g}'])
     columns = ['case', 'force at the same overlap', 'half-width under the same force', 'up to sqrt(R d)/R']
-    return '\n\n'.join(['## Plasticity off: Hertz', _table(columns, rows), '![Hertz](hertz.png)'])
+    return '\n\n'.join(['## Without plasticity: Hertz', _table(columns, rows), '![Hertz](hertz.png)'])
 
 
 def _worst(errors: Any) -> str:

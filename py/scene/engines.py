@@ -150,7 +150,7 @@ def halfSizes() -> list[float]:
 
 
 def criticalTimeStep(bodies: Iterable[Body] | None = None) -> float:
-    """The smallest Rayleigh time step [s] among `bodies` (default: the scene's): equation (14) of Wang & Ji (2018),
+    """The smallest Rayleigh time step [s] among `bodies` (default: the scene's): that of Wang & Ji (2018),
     pi Rmin / (0.163 nu + 0.8766) sqrt(density/G) with Rmin = min(a, b, c).
 
     :raises ValueError: there is no particle with a CurvatureMat
@@ -171,6 +171,6 @@ def checkTimeStep(dt: float, bodies: Iterable[Body] | None = None) -> float:
     """`dt` [s] if it does not exceed the critical step of `bodies`, else ValueError. A tenth of it is advisable."""
     dt, critical = checks.positive('dt', dt), criticalTimeStep(bodies)
     if dt > critical:
-        raise ValueError(f'dt = {dt!r}: above the critical time step {critical:.4g} s (eq. 14); '
+        raise ValueError(f'dt = {dt!r}: above the critical time step {critical:.4g} s; '
                          f'a tenth of that is advisable')
     return dt

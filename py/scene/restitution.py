@@ -1,6 +1,6 @@
-"""Restitution of the contact law (6)-(8) of Wang & Ji (2018), and the time step that a collision asks for.
+"""Restitution of the normal force of Wang & Ji (2018), and the time step that a collision asks for.
 
-With the overlap d, the speed v and the time in units that make 4/3 E* sqrt(R*) and m* one, (6)-(8) are v' = -d^(3/2) - eta d^(1/4) v,
+With the overlap d, the speed v and the time in units that make 4/3 E* sqrt(R*) and m* one, the normal force gives v' = -d^(3/2) - eta d^(1/4) v,
 eta = sqrt(6) Cn. In the time s with ds = d^(1/4) dt and with z = d^(5/4) this is the linear oscillator dv/ds = -z - eta v, dz/ds = 5/4 v
 (so the restitution does not depend on the speed). The force is cut where it would pull, at dv/ds = 0; there
 
@@ -35,7 +35,7 @@ def normalDampingFor(restitution: float) -> float:
 
 def collisionDuration(mass: float, radius: float, modulus: float, speed: float) -> float:
     """2.87 (m*^2/(R* E*^2 v))^(1/5) [s]: how long two elastic bodies touch that meet at `speed` [m/s] (Johnson, Contact Mechanics,
-    1985, eq. 11.24).
+    1985, his equation 11.24).
 
     :param mass: m* [kg]; :param radius: R* [m]; :param modulus: E* [Pa]
     """

@@ -1,6 +1,6 @@
 """Bringing a bed to rest: first with soft particles, which allows long time steps, then with the true stiffness.
 
-The rain falls and comes to rest with Young's modulus divided by `softening`; the critical time step (14) grows by
+The rain falls and comes to rest with Young's modulus divided by `softening`; the critical time step grows by
 its square root. The restitution of the law does not depend on the stiffness, nor does friction; what differs is the
 overlap under the bed's own weight, well below a percent of the particle size. Then the modulus rises to the
 true one in small steps of time and stiffness while YADE's non-viscous damping takes up the energy that the shrinking
@@ -150,7 +150,7 @@ def stiffen(stepper: Stepper, softening: float, timeStepFraction: float, layers:
             afterScaling: Callable[[int], object] = lambda stage: None) -> None:
     """Raise the stiffness by `softening` in RAMP_STAGES stages, the time step following.
 
-    :param timeStepFraction: time step over the critical one (14)
+    :param timeStepFraction: time step over the critical one
     :param layers: thickness of the bed over the particles' diameter
     :param done: stage in whose steps a run was stopped that is now taken up again; 0: none
     :param afterScaling: called with the number of the stage, before its steps are run

@@ -7,7 +7,7 @@ from .. import checks
 
 
 def rayleighTimeStep(smallestHalfSize: float, young: float, poisson: float, density: float) -> float:
-    """Time [s] in which a Rayleigh wave crosses the particle: equation (14) of Wang & Ji (2018),
+    """Time [s] in which a Rayleigh wave crosses the particle: that of Wang & Ji (2018),
     pi Rmin / (0.163 nu + 0.8766) sqrt(density/G).
 
     :param smallestHalfSize: Rmin = min(a, b, c) [m]; :param young: [Pa]; :param poisson: [-]; :param density: [kg/m3]

@@ -21,14 +21,15 @@ if TYPE_CHECKING:
     from ..typealiases import PathLike
 
 VERSIONS = {'versionYade': 'yade', 'versionPlugin': 'yade-superquadric', 'versionPython': 'python', 'versionNumpy': 'numpy'}
-METHOD = """Intervals in brackets are two-sided, 95 %, from the scatter over the beds (one per seed); of a single run there is none.
-Points in pictures and tables are geometric means over the beds where all values are positive (curves of the force: arithmetic ones); pictures have
-bands and bars from three runs on. Trends: Jonckheere and Terpstra's test. Differences: Welch's t interval
-of mean logarithms, so that changes are ratios; where points are on the same beds, Student's of the differences bed by bed; where a point has a
-single run on a bed of its own, the scatter common to all points of the finding is taken. "No difference" is tested against a margin that is
-stated. A finding is supported or contradicted if its test, or the opposite's, is significant at 5 % (two-sided); otherwise the data leave it
-undecided. A place from which on nothing changes cannot be proved: it is supported if its 95 % interval holds it and ends before the largest x,
-so mind how wide that is. A finding is as strong as its weakest part. What findings count as runs are the values of beds: where a bed was hit in
+METHOD = """\
+Intervals in brackets are two-sided 95 % intervals from the scatter between beds (one bed per seed); a single run has no interval. Points in
+figures and tables are geometric means over the beds if all values are positive (for force curves: arithmetic means). Figures have bands and bars
+from three runs on. Trends are tested by Jonckheere and Terpstra's test. Differences are given with Welch's t interval of the mean logarithms, so
+that changes are ratios; for points on the same beds it is Student's interval of the differences bed by bed; for a point with a single run on its
+own bed, the scatter common to all points of the finding is used. "No difference" is tested against a stated margin. A finding is supported or
+contradicted if its test, or that of the opposite, is significant at 5 % (two-sided); otherwise it is undecided. It cannot be proved that nothing
+changes beyond some x: such a finding is supported if the 95 % interval of that x contains the stated one and ends before the largest x, so the
+width of the interval matters. A finding is as strong as its weakest part. The runs of a finding are the values of beds; if a bed was hit in
 several places, their mean."""
 
 

@@ -37,12 +37,12 @@ class Rebound(NamedTuple):
 
 
 def closedForm(lever: float, mass: float, inertia: float, restitution: float = RESTITUTION) -> Rebound:
-    """Rebound of a rigid body that a frictionless plane meets at the horizontal distance `lever` [m] from its centre: (15), (16).
+    """Rebound of a rigid body that a frictionless plane meets at the horizontal distance `lever` [m] from its centre.
 
     :param mass: [kg]; :param inertia: about the horizontal axis across the lever [kg m2]
     """
     spin = mass * SPEED * (1 + restitution) * lever / (inertia + mass * lever ** 2)
-    # (16) in the form that also holds for lever = 0: the contact point leaves at restitution times its speed.
+    # Equation (16) of Wang & Ji in the form that also holds for lever = 0: the contact point leaves at restitution times its speed.
     return Rebound(restitution * SPEED - spin * lever, spin)
 
 

@@ -14,7 +14,7 @@ from .. import checks
 from ..scene.engines import criticalTimeStep, superquadricEngines
 
 STEPS = 500         # a collision, counted as the elastic one of the same speed lasts; restitution to 1e-4
-LARGEST_STEP = 0.1  # of the critical one (14)
+LARGEST_STEP = 0.1  # of the critical time step
 STUDENT = {2: 4.303, 3: 3.182, 4: 2.776, 5: 2.571, 6: 2.447, 7: 2.365, 8: 2.306}  # t of 95 % by degrees of freedom
 
 # About aluminium; the numbers of the hardening are a plausible example, not a fit.
@@ -22,7 +22,7 @@ ALUMINIUM = dict(young=70e9, poisson=0.33, density=2700.0, frictionAngle=0.0, yi
 
 
 class YieldPoint(NamedTuple):
-    """dy [m] of (6) and fy [N] of (5) in Li, Gao, Zhang & Liu (2018), and the speed that just reaches it [m/s]."""
+    """overlap dy [m] and force fy [N] at the onset of yield (Li, Gao, Zhang & Liu 2018), and the speed that just reaches it [m/s]."""
 
     overlap: float
     force: float

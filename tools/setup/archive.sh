@@ -122,7 +122,8 @@ fetch_headers() {
       own_lists
       read_sources machine-sources < <(own_sources)
     else
-      read_sources "${place##*/}" < <(sed -n 's/^deb /deb-src /p' "$place"/etc/apt/sources.list{,.d/*.list} 2>/dev/null)
+      # A folder need not have both kinds of files.
+      read_sources "${place##*/}" < <(sed -n 's/^deb /deb-src /p' "$place"/etc/apt/sources.list{,.d/*.list} 2>/dev/null || true)
     fi
     rm -rf "$work"
     mkdir -p "$work/tree"

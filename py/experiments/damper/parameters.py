@@ -1,8 +1,8 @@
 """The parameters of a particle damper: one declaration for command line, checks, studies and summary.
 
 The defaults are the system of Li, Gao, Zhang & Liu, J. Northeastern Univ. Nat. Sci. 39(8), 1211-1216 (2018). Its table of contact parameters
-is lost in our copy: tangential and rolling damping, rolling friction and the width of the size distribution are choices. Of its material
-E = 70 GPa, nu = 0.33 and 2700 kg/m3 are known; the shipped aluminium alloy comes near.
+is not known (docs/notation.md): tangential and rolling damping, rolling friction and the width of the size distribution are choices. Of its
+material E = 70 GPa, nu = 0.33 and 2700 kg/m3 are known; the shipped aluminium alloy comes near.
 """
 from __future__ import annotations
 
@@ -139,7 +139,7 @@ class DamperParameters(Filling):
         return collisionDuration(mass / 2, radius / 2, modulus, self.collisionSpeed)
 
     def smallestCriticalStep(self) -> float:
-        """Critical time step (14) [s] of the smallest particle."""
+        """Critical (Rayleigh) time step [s] of the smallest particle."""
         return self.criticalTimeStep(self.smallestHalfSize)
 
     def stepsPerSample(self) -> int:

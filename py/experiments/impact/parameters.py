@@ -98,7 +98,7 @@ class ImpactParameters(PouredBed):
         self._checkDrop()
         critical = self.criticalImpactStep()
         if self.dt is not None and self.dt > critical:
-            raise ValueError(f'dt = {self.dt!r}: above the critical time step {critical:.4g} s (eq. 14)')
+            raise ValueError(f'dt = {self.dt!r}: above the critical time step {critical:.4g} s')
 
     def _checkPlace(self) -> None:
         """The impactor has to fall into the container."""
@@ -116,7 +116,7 @@ class ImpactParameters(PouredBed):
         speedAt(CLEARANCE + 4 * self.largestBoundingRadius, self.speed, self.dropHeight, self.gravity)
 
     def criticalImpactStep(self) -> float:
-        """The smaller of the critical time steps (14) [s] of the smallest particle and of the impactor, in the impact."""
+        """The smaller of the critical time steps [s] of the smallest particle and of the impactor, in the impact."""
         return min(self.criticalTimeStep(self.smallestHalfSize),
                    rayleighTimeStep(self.impactorDiameter / 2, self.young, self.poisson, self.impactorDensity))
 

@@ -1,7 +1,7 @@
 """The parameters of an oedometer test: one declaration for command line, checks, studies and summary.
 
-The defaults are a rockfill of 20 to 40 mm (the sizes of Zhao & Chi, J. Northeastern Univ. Nat. Sci. 44(3), 408-414 (2023)); the part of that
-paper that gives its specimen is lost in our copy. Young's modulus is softened (docs/oedometer.md).
+The defaults are a rockfill of 20 to 40 mm (the sizes of Zhao & Chi, J. Northeastern Univ. Nat. Sci. 44(3), 408-414 (2023)); the paper's
+specimen is not known (docs/notation.md). Young's modulus is softened (docs/oedometer.md).
 """
 from __future__ import annotations
 

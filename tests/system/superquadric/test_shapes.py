@@ -58,6 +58,7 @@ def test_methodsOnAnEllipsoid():
     shape = Superquadric(extents=(a, b, c), n1=2, n2=2)
     mass = density * 4 / 3 * math.pi * a * b * c
     assert shape.volume() * density == pytest.approx(mass, rel=1e-12)
+    assert shape.getVolume() == shape.volume() and HollowCylinder().getVolume() == 0
     assert list(shape.inertia(density)) == pytest.approx(
         [mass / 5 * (b * b + c * c), mass / 5 * (a * a + c * c), mass / 5 * (a * a + b * b)], rel=1e-12)
     assert shape.function((0, 0, 2 * c)) == pytest.approx(4, rel=1e-12)

@@ -81,8 +81,10 @@ def test_theLawsBoundsReachTheLaw(bed, tmp_path):
 def test_aStifferBaseIsInTheContactsAndInP0(bed, tmp_path):
     """Between two equal bodies E* is E/(2(1 - nu^2)), on a rigid one twice that: P0 then grows by 2^0.4 for undamped spheres."""
     own, rigid = impact(bed, tmp_path / 'own'), impact(bed, tmp_path / 'rigid', baseYoung=1e15)
+    # Of the bed at rest: an impact ends with the bed in the air, and whether a particle touches the base just then is chance.
+    sq.ImpactRun.onBed(str(bed), {'baseYoung': 1e15}, str(tmp_path / 'rest'), stream=None).run(until='static')
     contacts = [i.phys for i in O.interactions.all(onlyReal=True) if i.id1 == 0]
-    assert contacts and all(phys.effectiveModulus == pytest.approx(1e9 / (1 - 0.2 ** 2), rel=1e-5) for phys in contacts)
+    assert len(contacts) > 5 and all(phys.effectiveModulus == pytest.approx(1e9 / (1 - 0.2 ** 2), rel=1e-5) for phys in contacts)
     assert rigid['P0'] / own['P0'] == pytest.approx(2 ** 0.4, rel=0.03)
     assert rigid['bed']['atRest']['true']
     assert rigid['bed']['staticForce'] + rigid['bed']['staticWallForce'] == pytest.approx(rigid['bed']['weight'], rel=1e-2)

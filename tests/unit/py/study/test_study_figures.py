@@ -60,6 +60,7 @@ def coloured(path):
     return pixels.shape[:2], (numpy.ptp(pixels, axis=2) > 0.15).mean()
 
 
+@pytest.mark.slow
 def test_picturesShowSomething(drawn):
     assert sorted(os.listdir(drawn / 'figures')) == ['byThickness.png', 'curves.png', 'findings.json', 'findings.md', 'peak.png', 'variants.png']
     for name in ('byThickness', 'curves', 'peak', 'variants'):
@@ -67,6 +68,7 @@ def test_picturesShowSomething(drawn):
         assert width >= 800 and height >= 250 and 0.001 < share < 0.5, (name, width, height, share)
 
 
+@pytest.mark.slow
 def test_pageHoldsFiguresPointsAndFindings(drawn):
     page = (drawn / 'figures' / 'findings.md').read_text()
     assert page.startswith('# Synthetic\n') and '24 of 24 runs on 24 beds; 18.0 CPU hours; yade 2025.2' in page
@@ -81,6 +83,7 @@ def test_pageHoldsFiguresPointsAndFindings(drawn):
     assert f'| cube | 0.008 | 3 | {mean} [{low}, {high}] | 0.6' in page
 
 
+@pytest.mark.slow
 def test_findingsForMachines(drawn):
     content = json.loads((drawn / 'figures' / 'findings.json').read_text())
     assert (content['runs'], content['plannedRuns'], content['cpuHours']) == (24, 24, pytest.approx(18))
@@ -90,12 +93,14 @@ def test_findingsForMachines(drawn):
     assert [figure['runs'] for group in content['groups'] for figure in group['figures']] == [18, 6, 18, 6]
 
 
+@pytest.mark.slow
 def test_sameStudySamePage(drawn):
     page, picture = ((drawn / 'figures' / name).read_bytes() for name in ('findings.md', 'peak.png'))
     draw(drawn)
     assert page == (drawn / 'figures' / 'findings.md').read_bytes() and picture == (drawn / 'figures' / 'peak.png').read_bytes()
 
 
+@pytest.mark.slow
 def test_unfinishedStudies(tmp_path):
     plan, table = synthetic()
     syntheticstudy.writeRecords(table, tmp_path / 'impacts')
@@ -109,6 +114,7 @@ def test_unfinishedStudies(tmp_path):
     assert content['runs'] == 0 and sorted(os.listdir(tmp_path / 'none')) == ['findings.json', 'findings.md']
 
 
+@pytest.mark.slow
 def test_oneSeed(tmp_path):
     plan, table = synthetic()
     table = table[table['seed'] == 1]
@@ -118,6 +124,7 @@ def test_oneSeed(tmp_path):
     assert json.loads((tmp_path / 'findings.json').read_text())['groups'][0]['points'][0]['peak']['low'] is None
 
 
+@pytest.mark.slow
 def test_concernsAreTold(tmp_path):
     plan, table = synthetic()
     for group in plan['groups']:
@@ -159,6 +166,7 @@ def test_unusableRecords(tmp_path):
         readRecord(path, 0)
 
 
+@pytest.mark.slow
 def test_commandNamesWhatIsWrong(drawn, tmp_path):
     plan, table = synthetic()
     plan['groups'][1]['figures'] = {'peak': {'kind': 'variants', 'y': ['C0']}}

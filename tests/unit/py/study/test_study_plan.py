@@ -271,3 +271,16 @@ def test_figuresOfTwoGroupsWithOneName():
     study = changed('groups.more', GROUP)
     with pytest.raises(ValueError, match='groups.more.figures.forces: groups.layers has a figure of that name'):
         planOf(study)
+
+
+def test_oldNamesOfParametersAreRead():
+    """In base, series, vary and x; the plan has the present ones."""
+    study = changed('groups.layers.series.die', {'shape': 'cube', 'leverArms': False})
+    study['groups']['layers']['x'] = {'softening': [10, 50]}
+    with pytest.warns(FutureWarning, match='leverArms is called effectiveMassAtContact now'):
+        plan = planOf(study)
+    assert plan['groups'][0]['xName'] == 'pouringSoftening'
+    assert {(run['parameters']['shape'], run['parameters']['effectiveMassAtContact'], run['parameters']['pouringSoftening'])
+            for run in plan['runs'].values()} == {(shape, shape == 'sphere', value) for shape in ('sphere', 'cube') for value in (10, 50)}
+    with pytest.raises(ValueError, match='base: leverArms = True: is called effectiveMassAtContact now, and that is given as well'):
+        planOf(changed('base', {'leverArms': True, 'effectiveMassAtContact': True}))

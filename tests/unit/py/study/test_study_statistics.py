@@ -103,6 +103,7 @@ def test_trendThatTurnsIsNotSupported():
     assert result['verdict'] == 'undecided' and 'But it falls from 2 to 3' in result['text']
 
 
+@pytest.mark.slow
 def test_noiseIsMostlyUndecided():
     """Directional claims, each direction at 2.5 %. Bounds: 0.05 and 3.3 standard deviations of 120 repetitions."""
     flat = lambda s, x: 1000
@@ -152,6 +153,7 @@ def test_saturationVerdicts():
     assert flat['verdict'] == 'undecided' and 'no significant trend' in flat['text']
 
 
+@pytest.mark.slow
 def test_fallWithoutEndHasNoPlateau():
     """A power law through all x must not be taken for a plateau; 40 data sets, 2.5 % of which may err."""
     found = [judged({'test': 'saturates', 'hc': 0.085}, levelling(1), x=BED, seed=seed) for seed in range(40)]
@@ -202,6 +204,7 @@ def test_noEffect():
     assert named['verdict'] == 'supported'
 
 
+@pytest.mark.slow
 def test_equivalenceIsRarelyClaimedAtItsMargin():
     """A true difference of just the margin may be called none in 5 % of cases."""
     finding = {'test': 'agree', 'series': ['a', 'b'], 'margin': 0.1}
