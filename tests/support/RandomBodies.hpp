@@ -9,7 +9,6 @@
 
 namespace superquadric::testing {
 
-constexpr double pi = 3.14159265358979323846;
 
 class RandomBodies {
 public:

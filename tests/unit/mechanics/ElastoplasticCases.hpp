@@ -10,7 +10,7 @@
 
 namespace superquadric::elastoplastic {
 
-inline constexpr double pi = 3.14159265358979323846, infinity = std::numeric_limits<double>::infinity();
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double modulus = 39e9, radius = 2.5e-3, mass = 1e-3; // of two aluminium spheres, about
 
 inline Pair pairOf(double yieldStress, double factor, double exponent)
