@@ -10,6 +10,7 @@
 
 namespace superquadric::elastoplastic {
 
+using superquadric::pi;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double modulus = 39e9, radius = 2.5e-3, mass = 1e-3; // of two aluminium spheres, about
 
