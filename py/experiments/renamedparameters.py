@@ -1,5 +1,5 @@
-"""Parameters that have another name now. The old ones are still read, with a warning: from the command line, batch tables, JSON files, study files,
-checkpoints and finished beds."""
+"""Parameters that have another name now. The old ones are still read, with a warning: from the command line, batch tables, JSON files and study
+files. (Checkpoints and finished beds of version 0.1 lack other fields as well, and are refused.)"""
 
 # {experiment: {old name: name now}}. All changed with version 0.2.0, in which one name means one thing in all experiments.
 RENAMED = {
