@@ -9,7 +9,6 @@
 
 namespace superquadric::testing {
 
-
 class RandomBodies {
 public:
 	explicit RandomBodies(std::uint64_t seed)
