@@ -12,7 +12,7 @@ help:
 	@echo 'make test-fast   the tests that take seconds: the C++ unit tests, and what of Python needs no YADE'
 	@echo 'make test-yades  all tests on YADE 2025.2 (Debian trixie) and on YADE 2026.1 (Debian forky)'
 	@echo 'make test-own-yade   the plugin for a YADE that was built from source, for which the installed one is disguised (5 minutes)'
-	@echo 'make lint    ruff, mypy, clang-format, shellcheck, clang-tidy; make ci: what the continuous integration runs, lint and test'
+	@echo 'make lint    ruff, mypy, clang-format, shellcheck; make tidy: clang-tidy (takes long); make ci: what the continuous integration runs, lint and test'
 	@echo 'make fuzz    many more examples of the fuzz tests: FUZZ_EXAMPLES=2000 for each (20 minutes)'
 	@echo 'make sanitize   all tests with the sanitizers of addresses and undefined behaviour (see docs/testing.md)'
 	@echo 'make bench   all benchmarks (make bench-quick: the main ones): tables in results/bench, see docs/benchmarks.md'
