@@ -61,11 +61,13 @@ class Study:
 
 
 def waitFor(condition, what):
-    for _ in range(600):
+    """Until the time is over in any case, which is long: Snakemake starts slowly on a busy machine."""
+    end = time.monotonic() + LIMIT
+    while time.monotonic() < end:
         if condition():
             return
         time.sleep(0.05)
-    raise AssertionError(f'{what} did not happen within 30 s')
+    raise AssertionError(f'{what} did not happen within {LIMIT:g} s')
 
 
 def alive(pid):
